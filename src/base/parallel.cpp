@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #ifdef BOZZETTO_WITH_TBB
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -23,6 +25,16 @@ std::atomic<int> requestedThreads{0};
 int machineThreads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 #ifdef BOZZETTO_WITH_TBB
+
+// Lets TBB start more workers than the machine has cores, where somebody asks for them.
+void allowThreads(int threads) {
+  static std::mutex mutex;
+  static std::unique_ptr<tbb::global_control> control;
+  const std::lock_guard lock(mutex);
+  const auto wanted = static_cast<std::size_t>(std::max(threads, machineThreads()));
+  control =
+      std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, wanted);
+}
 
 void runOnThreads(std::size_t count, std::size_t grain, int threads, Body body) {
   using Range = tbb::blocked_range<std::size_t>;
@@ -39,6 +51,8 @@ void runOnThreads(std::size_t count, std::size_t grain, int threads, Body body) 
 }
 
 #else
+
+void allowThreads(int) {}
 
 // Plain threads: what the thread sanitizer can see through (Debian's TBB is not instrumented).
 void runOnThreads(std::size_t count, std::size_t grain, int threads, Body body) {
@@ -68,7 +82,10 @@ void runOnThreads(std::size_t count, std::size_t grain, int threads, Body body) 
 
 }  // namespace
 
-void setThreadCount(int threads) { requestedThreads = std::max(0, threads); }
+void setThreadCount(int threads) {
+  requestedThreads = std::max(0, threads);
+  allowThreads(threadCount());
+}
 
 int threadCount() {
   const int requested = requestedThreads;

@@ -1,0 +1,169 @@
+// The only way to change a tree. The first write to a block clones it (copy-on-write); commit()
+// tidies the written blocks and returns the delta; an edit that is not committed leaves the tree as
+// it was.
+//
+// A Block derives from RefCounted and offers
+//   kCount                                   elements
+//   static Ref<Block> canonical(Ref<Block>)  null when empty, the interned twin when uniform
+//   bool sameAs(const Block&) const          equal content, bit for bit
+#pragma once
+#include <atomic>
+#include <optional>
+#include <vector>
+
+#include "bozzetto/base/parallel.hpp"
+#include "bozzetto/grid/delta.hpp"
+
+namespace bozzetto {
+
+/// One number per edit, never 0, never used twice.
+inline std::uint64_t nextEditNumber() {
+  static std::atomic<std::uint64_t> number{0};
+  return ++number;
+}
+
+template <class Block>
+class Edit {
+ public:
+  explicit Edit(KeyTree<Block>& tree) : tree_(&tree), number_(nextEditNumber()) {}
+  Edit(const Edit&) = delete;
+  Edit& operator=(const Edit&) = delete;
+  ~Edit() { rollback(); }
+
+  /// The block as it is now, null when there is none.
+  const Block* read(Key key) const { return tree_->find(key); }
+  const KeyTree<Block>& tree() const { return *tree_; }
+
+  /// The block to write in place: this edit's own, cloned or made empty at the first call for a
+  /// key. The reference stays good until commit, rollback, or replace of this key. Not from
+  /// several threads; the blocks returned may be filled in parallel. O(log n).
+  Block& write(Key key) {
+    const auto node = tree_->at(key);
+    const Block* present = node == tree_->end() ? nullptr : node->second.block.get();
+    if (present != nullptr && present->editor == number_) return *node->second.block;
+    Ref<Block> own(present != nullptr ? new Block(*present) : new Block());
+    own->editor = number_;
+    remember({key, 1});
+    Block& block = *own;
+    tree_->put(key, std::move(own));
+    return block;
+  }
+
+  /// A block to fill that replaces the one at `key` when handed to `replace`: for kernels that
+  /// read the old values of the neighbourhood while they write.
+  Ref<Block> fresh() const {
+    Ref<Block> block(new Block());
+    block->editor = number_;
+    return block;
+  }
+
+  /// Puts `block` (null = empty space) at every key of the run.
+  void replace(KeyRun run, const Ref<Block>& block) {
+    remember(run);
+    Delta<Block>::putOrErase(*tree_, run, block);
+  }
+
+  /// Ends the edit: written blocks become canonical, unchanged ones their old selves again.
+  /// O(touched blocks), in parallel. The edit is empty afterwards and may be used again.
+  Delta<Block> commit() {
+    std::vector<Change<Block>> touched = collect();
+    tidy(touched);
+    Delta<Block> delta;
+    for (auto& change : touched) {
+      Delta<Block>::putOrErase(*tree_, {change.key, change.length}, change.after);
+      if (!(change.before == change.after)) delta.changes.push_back(std::move(change));
+    }
+    for (const auto& change : delta.changes) tree_->join(change.key);
+    restart();
+    return delta;
+  }
+
+  /// Puts everything back as it was before the edit.
+  void rollback() {
+    for (const auto& [key, run] : before_)
+      Delta<Block>::putOrErase(*tree_, {key, run.length}, run.block);
+    for (const auto& [key, run] : before_) tree_->join(key);
+    restart();
+  }
+
+ private:
+  void restart() {
+    before_.clear();
+    number_ = nextEditNumber();
+  }
+
+  // Notes what stands at the run, once: what an earlier call noted for a key stays.
+  void remember(KeyRun run) {
+    forGaps(before_, run, [&](KeyRun gap) {
+      forPieces(*tree_, gap, [&](KeyRun piece, const Ref<Block>& block) {
+        before_.put(piece.key, piece.length, block);
+      });
+    });
+  }
+
+  // Calls gap(run) for every part of `run` that `tree` has no node for.
+  template <class Callback>
+  static void forGaps(const KeyTree<Block>& tree, KeyRun run, Callback&& gap) {
+    std::vector<KeyRun> gaps;
+    forPieces(tree, run, [&](KeyRun piece, const Ref<Block>&, bool present) {
+      if (!present) gaps.push_back(piece);
+    });
+    for (const KeyRun& piece : gaps) gap(piece);
+  }
+
+  // Calls back for every node part and every hole inside `run`, in order.
+  template <class Callback>
+  static void forPieces(const KeyTree<Block>& tree, KeyRun run, Callback&& callback) {
+    const std::int32_t end = run.key.k + run.length;
+    std::int32_t k = run.key.k;
+    const auto call = [&](std::int32_t until, const Ref<Block>& block, bool present) {
+      const KeyRun piece{{run.key.i, run.key.j, k}, until - k};
+      if constexpr (std::is_invocable_v<Callback, KeyRun, const Ref<Block>&, bool>) {
+        callback(piece, block, present);
+      } else {
+        callback(piece, block);
+      }
+      k = until;
+    };
+    for (auto node = tree.from(run.key); k < end; ++node) {
+      const bool inside = node != tree.end() && node->first < Key{run.key.i, run.key.j, end};
+      if (!inside) return call(end, nullptr, false);
+      if (node->first.k > k) call(node->first.k, nullptr, false);
+      call(std::min(end, node->first.k + node->second.length), node->second.block, true);
+    }
+  }
+
+  // Before and after of everything touched, in pieces on which both are constant.
+  std::vector<Change<Block>> collect() const {
+    std::vector<Change<Block>> touched;
+    touched.reserve(before_.nodeCount());
+    for (const auto& [key, run] : before_) {
+      forPieces(*tree_, {key, run.length},
+                [&, &old = run.block](KeyRun piece, const Ref<Block>& now) {
+                  touched.push_back({piece.key, piece.length, old, now});
+                });
+    }
+    return touched;
+  }
+
+  void tidy(std::vector<Change<Block>>& touched) const {
+    constexpr std::size_t grain = Block::kCount >= 512 ? 64 : 4096;
+    parallelFor(touched.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) tidy(touched[n]);
+    });
+  }
+
+  void tidy(Change<Block>& change) const {
+    if (!change.after || change.after->editor != number_) return;
+    change.after = Block::canonical(std::move(change.after));
+    if (change.before && change.after && change.before->sameAs(*change.after)) {
+      change.after = change.before;
+    }
+  }
+
+  KeyTree<Block>* tree_;
+  KeyTree<Block> before_;
+  std::uint64_t number_;
+};
+
+}  // namespace bozzetto
