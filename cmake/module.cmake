@@ -31,6 +31,7 @@ function(bozzetto_module NAME)
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_compile_features(bozzetto_${NAME} PUBLIC cxx_std_20)
   target_link_libraries(bozzetto_${NAME} PRIVATE $<BUILD_INTERFACE:bozzetto_flags> ${ARG_PRIVATE})
   target_link_libraries(bozzetto_${NAME} PUBLIC ${ARG_THIRD_PARTY})
   foreach(used IN LISTS ARG_USES)
