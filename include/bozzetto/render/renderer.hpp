@@ -1,0 +1,55 @@
+// Draws patches of clay in the studio. Needs a current OpenGL 3.3 core context for its whole life
+// and knows nothing of where it came from: off-screen and window use the same object.
+#pragma once
+#include <memory>
+
+#include "bozzetto/render/camera.hpp"
+#include "bozzetto/render/image.hpp"
+#include "bozzetto/render/look.hpp"
+#include "bozzetto/render/occlusion.hpp"
+#include "bozzetto/render/patch.hpp"
+
+namespace bozzetto {
+
+/// One view to draw.
+struct Shot {
+  Camera camera;
+  Stage stage;
+  int width = 1280, height = 960;  ///< pixels, 16…8192
+};
+
+class Renderer {
+ public:
+  Renderer();
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Takes a patch, replacing the one of the same origin; an empty patch removes it. Copies.
+  void uploadPatch(const PatchVertices& patch);
+  void removePatch(Key origin);
+  void clear();
+  std::size_t triangleCount() const;
+
+  void setFloorOcclusion(const FloorOcclusion& floor);
+
+  /// One frame, as it moves, into the framebuffer bound for drawing, which has a depth buffer.
+  void draw(const Shot& shot, const Look& look);
+
+  /// Still pictures are the mean of slices: shots from within the pixel, lit from within the soft
+  /// box. addSlice draws one more, showSlices copies the mean to the framebuffer bound for drawing;
+  /// whatever changes the picture calls restart first.
+  void restart();
+  void addSlice(const Shot& shot, const Look& look);
+  void showSlices(const Shot& shot);
+  int sliceCount() const;
+
+  /// A still of `slices` slices (1…64). Restarts before and after.
+  Image picture(const Shot& shot, const Look& look, int slices);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace bozzetto

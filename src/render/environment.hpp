@@ -1,0 +1,28 @@
+// The studio's surroundings as a function of direction, and what light makes of it: harmonics for
+// matt clay, a sphere map of growing roughness for reflections. View space, linear RGB.
+#pragma once
+#include <array>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace bozzetto {
+
+/// Which soft boxes a sum counts: those whose light the four lights already give are left out of
+/// the ambient part.
+enum class Boxes { all, fillOnly };
+
+/// Radiance from `direction` (length 1).
+glm::vec3 environment(glm::vec3 direction, Boxes boxes = Boxes::all);
+
+/// Cosine-weighted environment without the keys' boxes, as 9 coefficients ready for
+/// c0 + c1·y + c2·z + c3·x + c4·xy + c5·yz + c6·(3z²−1) + c7·xz + c8·(x²−y²).
+std::array<glm::vec3, 9> ambientHarmonics();
+
+/// Sphere map, uv = .985·r.xy/(2·√(2(1 + r.z))) + ½; level n holds GGX roughness n/5.
+struct SphereMap {
+  static constexpr int kLevels = 6, kSide = 256;
+  std::array<std::vector<glm::vec3>, kLevels> level;  ///< (256 >> n)² texels, rows from v = 0
+};
+SphereMap reflectionMap();
+
+}  // namespace bozzetto

@@ -1,0 +1,112 @@
+#include "render/frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+
+#include "render/studio.hpp"
+
+namespace bozzetto {
+namespace {
+
+constexpr double kSceneRadius = 1.85;        // of what casts shadows, stage units
+constexpr double kStageReach = 7.5;          // of all that is drawn, floor corners included
+constexpr double kFloorHalf = 5;             // stage units
+constexpr glm::dvec2 kKeyBoxHalf(.40, .30);  // tangent units, as in environment.cpp
+// How much of the box the light comes from: the whole would be photographic but shapeless.
+constexpr double kBoxUsed = .55;
+constexpr double kBackgroundHeight = .52;  // where the paper roll is brightest
+
+std::int32_t nearestLatticePoint(double cells) {
+  const double rim = double(kWorkspaceRim);
+  return std::int32_t(std::lround(std::clamp(cells, -rim, rim)));
+}
+
+glm::dmat4 projectionOf(const Shot& shot, double depth) {
+  const Camera& camera = shot.camera;
+  const double aspect = double(shot.width) / shot.height;
+  const double nearest = std::max(depth - kStageReach, .02), farthest = depth + kStageReach;
+  if (camera.projection == Projection::perspective) {
+    return glm::perspective(camera.fieldOfView, aspect, nearest, farthest);
+  }
+  const double half = camera.distance / shot.stage.unit * std::tan(camera.fieldOfView / 2);
+  return glm::ortho(-half * aspect, half * aspect, -half, half, depth - kStageReach, farthest);
+}
+
+// Stage units in the frame of `axes` (columns), seen from `from` (cells), for cells from `anchor`.
+glm::dmat4 unitsFromCells(const glm::dmat3& axes, const glm::dvec3& from, const glm::dvec3& anchor,
+                          double unit) {
+  const glm::dmat4 turn(glm::transpose(axes));
+  const glm::dmat4 scale = glm::scale(glm::dmat4(1), glm::dvec3(1 / unit));
+  return turn * scale * glm::translate(glm::dmat4(1), anchor - from);
+}
+
+glm::dmat4 shadowMatrix(const Shot& shot, const glm::dmat3& worldFromView, const Slice& slice,
+                        const glm::dvec3& anchor) {
+  const glm::dvec3 key = glm::normalize(glm::dvec3(kLights[kKey].direction));
+  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), key));
+  const glm::dvec3 up = glm::cross(key, right);
+  const glm::dvec2 shift = slice.light * kKeyBoxHalf * kBoxUsed;
+  const glm::dvec3 towards = worldFromView * glm::normalize(key + right * shift.x + up * shift.y);
+  const glm::dvec3 side = glm::normalize(glm::cross(worldFromView[1], towards));
+  const glm::dmat3 axes(side, glm::cross(towards, side), towards);
+  const glm::dvec3 eye = shot.stage.centre + towards * ((kSceneRadius + 2) * shot.stage.unit);
+  return glm::ortho(-kSceneRadius, kSceneRadius, -kSceneRadius, kSceneRadius, .1,
+                    2 * kSceneRadius + 4) *
+         unitsFromCells(axes, eye, anchor, shot.stage.unit);
+}
+
+// The n-th number of the additive recurrence of a ratio: even for every n.
+double recurrence(double ratio, int n) {
+  const double x = .5 + ratio * n;
+  return x - std::floor(x) - .5;
+}
+
+}  // namespace
+
+// Roberts's R2 and R3-like sequences: the plastic number and its kin.
+Slice sliceAt(int n) {
+  Slice slice;
+  slice.pixel = {recurrence(.7548776662466927, n), recurrence(.5698402909980532, n)};
+  slice.light = {2 * recurrence(.8191725133961645, n), 2 * recurrence(.6710436067037893, n)};
+  slice.index = n;
+  slice.one = false;
+  return slice;
+}
+
+Frame makeFrame(const Shot& shot, const Slice& slice, double dither) {
+  Frame frame;
+  const Camera& camera = shot.camera;
+  const Stage& stage = shot.stage;
+  const glm::dmat3 axes = camera.worldFromView();
+  const glm::dvec3 eye = camera.eye();
+  frame.anchor = {nearestLatticePoint(eye.x), nearestLatticePoint(eye.y),
+                  nearestLatticePoint(eye.z)};
+  const glm::dvec3 anchor(frame.anchor.i, frame.anchor.j, frame.anchor.k);
+  frame.eyeAboveFloor =
+      camera.projection == Projection::perspective ? eye.y > stage.floor : axes[2].y >= 0;
+
+  const double depth = glm::dot(axes[2], eye - stage.centre) / stage.unit;
+  const glm::dvec3 jitter(2 * slice.pixel.x / shot.width, 2 * slice.pixel.y / shot.height, 0);
+  const glm::dmat4 view = unitsFromCells(axes, eye, anchor, stage.unit);
+  const glm::dmat4 projection = projectionOf(shot, depth);
+
+  const double scale = projection[1][1] * shot.height / 2;
+  const glm::dvec3 floor = glm::dvec3(stage.centre.x, stage.floor, stage.centre.z) - anchor;
+  FrameBlock& block = frame.block;
+  block.clipFromCells = glm::translate(glm::dmat4(1), jitter) * projection * view;
+  block.viewFromCells = view;
+  block.shadowFromCells = shadowMatrix(shot, axes, slice, anchor);
+  block.worldFromView = glm::dmat4(axes);
+  block.viewport = glm::vec4(shot.width, shot.height, .5, kBackgroundHeight);
+  block.stage =
+      glm::vec4(stage.unit, dither, camera.projection == Projection::perspective, slice.index);
+  block.shadowing = slice.one ? glm::vec4(.0085, .030, 1, 0) : glm::vec4(.0045, .010, 1, 0);
+  block.floorPlane = glm::vec4(floor, kFloorHalf * stage.unit);
+  block.extra = glm::vec4(FloorOcclusion::kHalfUnits * stage.unit, frame.eyeAboveFloor, scale, 0);
+  return frame;
+}
+
+}  // namespace bozzetto

@@ -1,0 +1,36 @@
+// From a shot to the numbers the shaders share.
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include "bozzetto/render/renderer.hpp"
+
+namespace bozzetto {
+
+/// Where inside the pixel and inside the key's soft box a slice is taken.
+struct Slice {
+  glm::dvec2 pixel{0};  ///< −½…½ pixels
+  glm::dvec2 light{0};  ///< −1…1 of the box's half sides
+  int index = 0;
+  bool one = true;  ///< the only one of its picture: its own shadow must be soft
+};
+
+/// The n-th slice of a still: evenly spread in the pixel and in the box.
+Slice sliceAt(int n);
+
+/// std140 layout of frame.glsl.
+struct FrameBlock {
+  glm::mat4 clipFromCells, viewFromCells, shadowFromCells, worldFromView;
+  glm::vec4 viewport, stage, shadowing, floorPlane, extra;
+};
+
+/// What one slice needs. `anchor` is the lattice point next to the eye: the GPU sees positions
+/// counted from there, exact in float for 2²⁴ cells around.
+struct Frame {
+  Key anchor;
+  FrameBlock block;
+  bool eyeAboveFloor = true;
+};
+Frame makeFrame(const Shot& shot, const Slice& slice, double dither);
+
+}  // namespace bozzetto

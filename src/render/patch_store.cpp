@@ -1,0 +1,146 @@
+#include "render/patch_store.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace bozzetto {
+namespace {
+
+constexpr int kChunkShift = 6;
+
+std::int16_t signed16(float v) {
+  return std::int16_t(std::lround(std::clamp(v, -1.f, 1.f) * 32767));
+}
+std::uint8_t unsigned8(float v) { return std::uint8_t(std::lround(std::clamp(v, 0.f, 1.f) * 255)); }
+
+glm::vec3 difference(Key a, Key b) {
+  return {float(std::int64_t{a.i} - b.i), float(std::int64_t{a.j} - b.j),
+          float(std::int64_t{a.k} - b.k)};
+}
+
+void attribute(GLuint location, GLint count, GLenum type, std::size_t offset, GLsizei stride) {
+  glVertexAttribPointer(location, count, type, type != GL_FLOAT, stride,
+                        reinterpret_cast<const void*>(offset));
+  glEnableVertexAttribArray(location);
+}
+
+}  // namespace
+
+Key PatchStore::chunkOf(Key origin) {
+  return {origin.i >> kChunkShift, origin.j >> kChunkShift, origin.k >> kChunkShift};
+}
+
+std::vector<PatchStore::Vertex> PatchStore::packed(const PatchVertices& patch, glm::vec3 shift) {
+  std::vector<Vertex> packed(patch.positions.size());
+  for (std::size_t n = 0; n < packed.size(); ++n) {
+    const glm::vec3 normal = patch.normals[n];
+    VertexLight light = patch.light.empty() ? VertexLight{} : patch.light[n];
+    if (light.bent == glm::vec3(0)) light.bent = normal;
+    const Colour colour = n < patch.colours.size() ? patch.colours[n] : Colour{};
+    const glm::vec3 bent = light.bent * .5f + .5f;
+    packed[n] = {
+        patch.positions[n] + shift,
+        {signed16(normal.x), signed16(normal.y), signed16(normal.z), signed16(light.cavity)},
+        {colour.r, colour.g, colour.b, 255},
+        {unsigned8(bent.x), unsigned8(bent.y), unsigned8(bent.z), unsigned8(light.open)}};
+  }
+  return packed;
+}
+
+void PatchStore::upload(const PatchVertices& patch) {
+  if (patch.indices.empty()) return remove(patch.origin);
+  const Key key = chunkOf(patch.origin);
+  const glm::vec3 shift = difference(patch.origin, key * (1 << kChunkShift));
+  chunks_[key].put(patch.origin, packed(patch, shift),
+                   {patch.indices.begin(), patch.indices.end()});
+}
+
+void PatchStore::remove(Key origin) {
+  const auto chunk = chunks_.find(chunkOf(origin));
+  if (chunk == chunks_.end()) return;
+  chunk->second.remove(origin);
+  if (chunk->second.slots.empty()) chunks_.erase(chunk);
+}
+
+std::size_t PatchStore::triangleCount() const {
+  std::size_t sum = 0;
+  for (const auto& [key, chunk] : chunks_) sum += chunk.triangles;
+  return sum;
+}
+
+void PatchStore::draw(const gl::Program& program, Key anchor) const {
+  const GLint place = program.at("chunkOrigin");
+  for (const auto& [key, chunk] : chunks_) {
+    const glm::vec3 origin = difference(key * (1 << kChunkShift), anchor);
+    glUniform3f(place, origin.x, origin.y, origin.z);
+    glBindVertexArray(chunk.array.get());
+    glDrawElements(GL_TRIANGLES, GLsizei(chunk.indexRanges.size()), GL_UNSIGNED_INT, nullptr);
+  }
+  glBindVertexArray(0);
+}
+
+bool PatchStore::GrowingBuffer::reserve(std::size_t bytes) {
+  if (bytes <= capacity) return false;
+  const std::size_t wanted = std::max(bytes, capacity + capacity / 2);
+  gl::Buffer larger = gl::newBuffer();
+  glBindBuffer(GL_COPY_WRITE_BUFFER, larger.get());
+  glBufferData(GL_COPY_WRITE_BUFFER, GLsizeiptr(wanted), nullptr, GL_DYNAMIC_DRAW);
+  if (capacity > 0) {
+    glBindBuffer(GL_COPY_READ_BUFFER, buffer.get());
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, GLsizeiptr(capacity));
+  }
+  buffer = std::move(larger);
+  capacity = wanted;
+  return true;
+}
+
+void PatchStore::GrowingBuffer::write(std::size_t at, const void* data, std::size_t bytes) {
+  glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.get());
+  glBufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(at), GLsizeiptr(bytes), data);
+}
+
+void PatchStore::Chunk::put(Key origin, const std::vector<Vertex>& vertex,
+                            std::vector<std::uint32_t> index) {
+  remove(origin);
+  const Slot slot{vertexRanges.take(vertex.size()), vertex.size(), indexRanges.take(index.size()),
+                  index.size()};
+  const bool movedVertices = vertices.reserve(vertexRanges.size() * sizeof(Vertex));
+  const bool movedIndices = indices.reserve(indexRanges.size() * sizeof(std::uint32_t));
+  if (movedVertices || movedIndices) describeVertices();
+  for (std::uint32_t& n : index) n += std::uint32_t(slot.vertex);
+  vertices.write(slot.vertex * sizeof(Vertex), vertex.data(), vertex.size() * sizeof(Vertex));
+  indices.write(slot.index * sizeof(std::uint32_t), index.data(),
+                index.size() * sizeof(std::uint32_t));
+  slots[origin] = slot;
+  triangles += slot.indexCount / 3;
+}
+
+// The hole that stays draws nothing: its triangles are points.
+void PatchStore::Chunk::remove(Key origin) {
+  const auto found = slots.find(origin);
+  if (found == slots.end()) return;
+  const Slot slot = found->second;
+  const std::vector<std::uint32_t> nothing(slot.indexCount, 0);
+  indices.write(slot.index * sizeof(std::uint32_t), nothing.data(),
+                nothing.size() * sizeof(std::uint32_t));
+  vertexRanges.free(slot.vertex, slot.vertexCount);
+  indexRanges.free(slot.index, slot.indexCount);
+  triangles -= slot.indexCount / 3;
+  slots.erase(found);
+}
+
+void PatchStore::Chunk::describeVertices() {
+  if (!array) array = gl::newVertexArray();
+  glBindVertexArray(array.get());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices.buffer.get());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.buffer.get());
+  constexpr GLsizei stride = sizeof(Vertex);
+  attribute(0, 3, GL_FLOAT, offsetof(Vertex, position), stride);
+  attribute(1, 4, GL_SHORT, offsetof(Vertex, normalCavity), stride);
+  attribute(2, 4, GL_UNSIGNED_BYTE, offsetof(Vertex, colour), stride);
+  attribute(3, 4, GL_UNSIGNED_BYTE, offsetof(Vertex, bentOpen), stride);
+  glBindVertexArray(0);
+}
+
+}  // namespace bozzetto

@@ -1,0 +1,60 @@
+// Patches on the GPU, gathered in chunks of 64³ cells so that a frame takes few draw calls.
+#pragma once
+#include <map>
+#include <memory>
+
+#include "bozzetto/render/patch.hpp"
+#include "render/gl.hpp"
+#include "render/range_allocator.hpp"
+
+namespace bozzetto {
+
+class PatchStore {
+ public:
+  void upload(const PatchVertices& patch);
+  void remove(Key origin);
+  void clear() { chunks_.clear(); }
+  std::size_t triangleCount() const;
+
+  /// Draws every chunk with the program in use, whose uniform `chunkOrigin` gets the chunk's place
+  /// in cells from `anchor`.
+  void draw(const gl::Program& program, Key anchor) const;
+
+ private:
+  // 28 bytes a vertex, as the shaders read it.
+  struct Vertex {
+    glm::vec3 position;
+    std::int16_t normalCavity[4];
+    std::uint8_t colour[4];
+    std::uint8_t bentOpen[4];
+  };
+  struct Slot {
+    std::size_t vertex, vertexCount, index, indexCount;
+  };
+  // One buffer that grows by copying itself on the GPU.
+  struct GrowingBuffer {
+    gl::Buffer buffer;
+    std::size_t capacity = 0;  // bytes
+
+    bool reserve(std::size_t bytes);
+    void write(std::size_t at, const void* data, std::size_t bytes);
+  };
+  struct Chunk {
+    gl::VertexArray array;
+    GrowingBuffer vertices, indices;
+    RangeAllocator vertexRanges, indexRanges;
+    std::map<Key, Slot> slots;
+    std::size_t triangles = 0;
+
+    void put(Key origin, const std::vector<Vertex>& vertex, std::vector<std::uint32_t> index);
+    void remove(Key origin);
+    void describeVertices();
+  };
+
+  static Key chunkOf(Key origin);
+  static std::vector<Vertex> packed(const PatchVertices& patch, glm::vec3 shift);
+
+  std::map<Key, Chunk> chunks_;
+};
+
+}  // namespace bozzetto
