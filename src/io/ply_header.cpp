@@ -81,9 +81,7 @@ PlyHeader readPlyHeader(TextReader& text) {
     } else if (word == "end_header") {
       if (!formatSeen) text.fail(word, "format before it");
       break;
-    } else if (!word.empty() && word != "comment" && word != "obj_info") {
-      text.fail(word, "element, property or end_header");
-    }
+    }  // all else is comment: some writers forget to say so
     if (++properties > kMostProperties) text.fail(word, "a header of at most 4096 lines");
   }
   text.restOfLine();

@@ -10,7 +10,7 @@
 namespace bozzetto {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 84, kTriangleBytes = 50;
+constexpr std::size_t kTriangleBytes = 50;
 
 void appendTriangle(TriangleMesh& mesh) {
   const auto end = static_cast<std::uint32_t>(mesh.positions.size());
