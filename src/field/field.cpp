@@ -36,6 +36,20 @@ std::int64_t cornersWithClay(const CornerBlock<Side>& block) {
   return count;
 }
 
+template <int To, int From>
+void copyCorners(Key key, const Run<CornerBlock<From>>& run, Edit<CornerBlock<To>>& edit) {
+  const Key first = BlockGeometry<From>::firstCornerOf(key);
+  for (std::int32_t n = 0; n < run.length * run.block->kCount; ++n) {
+    const int in = n % run.block->kCount;
+    if (run.block->value[in] <= 0) continue;
+    const Key local{in / (From * From), in / From % From, in % From + n / run.block->kCount * From};
+    const Key corner = first + local;
+    CornerBlock<To>& block = edit.write(BlockGeometry<To>::blockOf(corner));
+    block.value[BlockGeometry<To>::indexOf(corner)] = run.block->value[in];
+    block.attributes[BlockGeometry<To>::indexOf(corner)] = run.block->attributes[in];
+  }
+}
+
 }  // namespace
 
 template <int Side>
@@ -77,21 +91,10 @@ FieldStatistics statistics(const Field<Side>& field) {
 
 template <int To, int From>
 Field<To> withSide(const Field<From>& field) {
+  if constexpr (To == From) return field;
   Field<To> result{{}, field.scale};
   Edit<CornerBlock<To>> edit(result.tree);
-  for (const auto& [key, run] : field.tree) {
-    const Key first = BlockGeometry<From>::firstCornerOf(key);
-    for (std::int32_t n = 0; n < run.length * run.block->kCount; ++n) {
-      const int in = n % run.block->kCount;
-      if (run.block->value[in] <= 0) continue;
-      const Key local{in / (From * From), in / From % From,
-                      in % From + n / run.block->kCount * From};
-      const Key corner = first + local;
-      CornerBlock<To>& block = edit.write(BlockGeometry<To>::blockOf(corner));
-      block.value[BlockGeometry<To>::indexOf(corner)] = run.block->value[in];
-      block.attributes[BlockGeometry<To>::indexOf(corner)] = run.block->attributes[in];
-    }
-  }
+  for (const auto& [key, run] : field.tree) copyCorners(key, run, edit);
   edit.commit();
   return result;
 }
@@ -104,5 +107,7 @@ template MassSum massUnits(const Field<1>&);
 template MassSum massUnits(const Field<8>&);
 template Field<1> withSide<1, 8>(const Field<8>&);
 template Field<8> withSide<8, 1>(const Field<1>&);
+template Field<1> withSide<1, 1>(const Field<1>&);
+template Field<8> withSide<8, 8>(const Field<8>&);
 
 }  // namespace bozzetto

@@ -16,6 +16,9 @@ class Progress {
     return true;
   }
 
+  /// Something people should know before or while the job runs: a prediction, an adjustment.
+  virtual void note([[maybe_unused]] std::string_view text) {}
+
   /// Reports and throws Cancelled when asked to stop.
   void step(std::string_view what, double done) {
     if (!report(what, done)) throw Cancelled();

@@ -63,7 +63,7 @@ std::uint64_t fieldHash(const Field<Side>& field);
 template <int Side>
 std::optional<std::string> validate(const Field<Side>& field);
 
-/// The same clay in blocks of another side.
+/// The same clay in blocks of another (or the same) side.
 template <int To, int From>
 Field<To> withSide(const Field<From>& field);
 
