@@ -1,6 +1,5 @@
 #include "field/halve.hpp"
 
-#include <algorithm>
 #include <cstring>
 
 #include "bozzetto/base/simd.hpp"
@@ -39,21 +38,22 @@ BOZZETTO_KERNEL void filterAll(const float* in, float* out) {
 
 BOZZETTO_SIMD_DISPATCH(void, filterBlock, filterAll, (const float* in, float* out), (in, out))
 
+alignas(64) constexpr float kZeros[kSide * kSide * kSide] = {};
+
 // Fine corner −2 + n along an axis lies in block (n + 6) / 8 at (n + 6) % 8.
 void gather(const std::array<const float*, 64>& blocks, float* out) {
-  constexpr int kLengths[4] = {2, kSide, kSide, 2}, kFirst[4] = {kSide - 2, 0, 0, 0};
+  std::array<const float*, 64> from;
+  for (int n = 0; n < 64; ++n) from[n] = blocks[n] != nullptr ? blocks[n] : kZeros;
   for (int i = 0; i < kWide; ++i) {
     for (int j = 0; j < kWide; ++j) {
-      const int block = (i + 6) / kSide * 16 + (j + 6) / kSide * 4;
+      const float* const* column = &from[(i + 6) / kSide * 16 + (j + 6) / kSide * 4];
       const int row = ((i + 6) % kSide * kSide + (j + 6) % kSide) * kSide;
       float* to = out + (i * kWide + j) * kRow;
-      for (int b = 0; b < 4; ++b) {
-        const float* from = blocks[block + b];
-        if (from != nullptr) std::memcpy(to, from + row + kFirst[b], kLengths[b] * sizeof(float));
-        if (from == nullptr) std::memset(to, 0, kLengths[b] * sizeof(float));
-        to += kLengths[b];
-      }
-      std::fill(to, to + (kRow - kWide), 0.0f);
+      std::memcpy(to, column[0] + row + kSide - 2, 2 * sizeof(float));
+      std::memcpy(to + 2, column[1] + row, kSide * sizeof(float));
+      std::memcpy(to + 2 + kSide, column[2] + row, kSide * sizeof(float));
+      std::memcpy(to + 2 + 2 * kSide, column[3] + row, 2 * sizeof(float));
+      std::memset(to + kWide, 0, (kRow - kWide) * sizeof(float));
     }
   }
 }
