@@ -1,0 +1,209 @@
+#include "io/block_kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace bozzetto {
+namespace {
+
+constexpr int kSide = BlockKernel::kSide, kCount = BlockKernel::kCount;
+constexpr double kReach = 1;          // half the slope, in cells
+constexpr double kFarSquared = 1e30;  // no triangle within the slope
+constexpr std::uint32_t kNone = ~0u;
+constexpr int kApron = kSide + 2;  // corners of the block and one more on every side
+
+constexpr int cornerIndex(int i, int j, int k) { return (i * kSide + j) * kSide + k; }
+constexpr int apronIndex(int i, int j, int k) {
+  return ((i + 1) * kApron + j + 1) * kApron + k + 1;
+}
+
+double distanceOf(double squared) { return squared < kFarSquared ? std::sqrt(squared) : kReach; }
+
+// First and last corner of a block within reach of [low, high] along one axis.
+std::pair<int, int> cornersWithin(double low, double high) {
+  const double first = std::max(0.0, std::ceil(low - kReach));
+  const double last = std::min(kSide - 1.0, std::floor(high + kReach));
+  return {static_cast<int>(std::min<double>(first, kSide)), static_cast<int>(std::max(last, -1.0))};
+}
+
+}  // namespace
+
+glm::dvec3 BlockKernel::placeOf(int corner) const {
+  return origin_ + glm::dvec3(corner / (kSide * kSide), corner / kSide % kSide, corner % kSide);
+}
+
+bool BlockKernel::fill(const BlockTask& given, CornerBlock<8>& out) {
+  BlockTask task = given;
+  origin_ = glm::dvec3(task.block.i, task.block.j, task.block.k) * double(kSide);
+  findNearest(task, Sheets::all);
+  toHole_.fill(kReach);
+  if (task.kind == BlockKind::sheets) findInsideByRegions(task);
+  if (task.kind == BlockKind::holes) findInsideEverywhere(task);
+  // Where bodies overlap, triangles inside the clay are not its surface.
+  if (contradictsWinding()) findNearest(task, Sheets::surfaceOnly);
+
+  bool clay = false;
+  for (int corner = 0; corner < kCount; ++corner) {
+    const float value = valueAt(corner);
+    out.value[corner] = value;
+    out.attributes[corner] = value > 0 ? packAttributes(colourAt(corner)) : 0;
+    clay = clay || value > 0;
+  }
+  return clay;
+}
+
+void BlockKernel::findNearest(const BlockTask& task, Sheets sheets) {
+  squared_.fill(kFarSquared);
+  nearest_.fill(kNone);
+  for (const auto& pair : task.triangles) visitTriangle(pair.triangle, sheets);
+}
+
+void BlockKernel::visitTriangle(std::uint32_t number, Sheets sheets) {
+  const auto& t = grid_.mesh.triangles[number];
+  const auto &a = grid_.mesh.positions[t[0]], &b = grid_.mesh.positions[t[1]],
+             &c = grid_.mesh.positions[t[2]];
+  const auto low = glm::min(glm::min(a, b), c) - origin_;
+  const auto high = glm::max(glm::max(a, b), c) - origin_;
+  const auto [i0, i1] = cornersWithin(low.x, high.x);
+  const auto [j0, j1] = cornersWithin(low.y, high.y);
+  const auto [k0, k1] = cornersWithin(low.z, high.z);
+  const auto& triangle = grid_.triangles[number];
+  for (int i = i0; i <= i1; ++i) {
+    for (int j = j0; j <= j1; ++j) {
+      for (int k = k0; k <= k1; ++k) {
+        const int corner = cornerIndex(i, j, k);
+        const auto found = triangle.nearestTo(origin_ + glm::dvec3(i, j, k));
+        if (!(found.squared < squared_[corner]) || found.squared >= kReach * kReach) continue;
+        if (sheets == Sheets::surfaceOnly && !isSurface(triangle, found)) continue;
+        squared_[corner] = found.squared;
+        nearest_[corner] = number;
+        u_[corner] = static_cast<float>(found.u);
+        v_[corner] = static_cast<float>(found.v);
+      }
+    }
+  }
+}
+
+// Crossing a triangle from front to back adds 1 to the winding number: the surface is where that
+// passes ½.
+bool BlockKernel::isSurface(const DistanceTriangle& triangle, const NearestPoint& nearest) const {
+  const auto normal = triangle.normal();
+  const double length = glm::length(normal);
+  if (!(length > 0)) return false;
+  const auto front = triangle.at(nearest.u, nearest.v) + normal * (1e-3 / length);
+  const double winding = winding_.at(front);
+  return winding > -0.5 && winding <= 0.5;
+}
+
+// Two corners are parted by a triangle only if it passes between them, so their distances to it
+// add up to at most the distance between them. Regions of corners that nothing parts are on one
+// side; the corner farthest from all triangles speaks for them.
+void BlockKernel::findInsideByRegions(BlockTask& task) {
+  seen_.fill(0);
+  for (int start = 0; start < kCount; ++start) {
+    if (seen_[start] != 0) continue;
+    growRegion(start, 1);
+    const int speaker = *std::max_element(region_.begin(), region_.end(), [&](int a, int b) {
+      return squared_[a] != squared_[b] ? squared_[a] < squared_[b] : a > b;
+    });
+    const double winding = winding_.at(placeOf(speaker));
+    // Neither in nor out: a hole is near.
+    if (std::abs(winding - std::round(winding)) > 0.25) {
+      task.kind = BlockKind::holes;
+      return;
+    }
+    for (const int corner : region_) inside_[corner] = winding > 0.5;
+  }
+}
+
+void BlockKernel::growRegion(int start, std::uint8_t label) {
+  static const std::array<double, 4> lengths{0, 1, std::sqrt(2.0), std::sqrt(3.0)};
+  region_.assign(1, start);
+  seen_[start] = label;
+  for (std::size_t done = 0; done < region_.size(); ++done) {
+    const int corner = region_[done];
+    const int i = corner / (kSide * kSide), j = corner / kSide % kSide, k = corner % kSide;
+    const double own = distanceOf(squared_[corner]);
+    for (int di = -(i > 0); di <= (i < kSide - 1); ++di) {
+      for (int dj = -(j > 0); dj <= (j < kSide - 1); ++dj) {
+        for (int dk = -(k > 0); dk <= (k < kSide - 1); ++dk) {
+          const int other = cornerIndex(i + di, j + dj, k + dk);
+          if (seen_[other] != 0) continue;
+          const double length = lengths[std::abs(di) + std::abs(dj) + std::abs(dk)];
+          if (own + distanceOf(squared_[other]) <= length * (1 + 1e-9)) continue;
+          seen_[other] = label;
+          region_.push_back(other);
+        }
+      }
+    }
+  }
+}
+
+// Winding numbers of the block and its apron; where they pass ½ smoothly, without a triangle, the
+// distance to that level is (w - ½)/|∇w|.
+void BlockKernel::findInsideEverywhere(const BlockTask&) {
+  winds_.resize(kApron * kApron * kApron);
+  for (int i = -1; i <= kSide; ++i) {
+    for (int j = -1; j <= kSide; ++j) {
+      for (int k = -1; k <= kSide; ++k) {
+        winds_[apronIndex(i, j, k)] =
+            static_cast<float>(winding_.at(origin_ + glm::dvec3(i, j, k)));
+      }
+    }
+  }
+  static constexpr std::array<int, 3> strides{kApron * kApron, kApron, 1};
+  for (int corner = 0; corner < kCount; ++corner) {
+    const int i = corner / (kSide * kSide), j = corner / kSide % kSide, k = corner % kSide;
+    const int at = apronIndex(i, j, k);
+    const double own = winds_[at];
+    double slopeSquared = 0;
+    for (const int stride : strides) {
+      // A triangle between two corners makes a jump of 1; such steps say nothing about the slope.
+      const double up = winds_[at + stride] - own, down = own - winds_[at - stride];
+      const bool upSmooth = std::abs(up) < 0.5, downSmooth = std::abs(down) < 0.5;
+      const double slope = upSmooth && downSmooth ? (up + down) / 2
+                           : upSmooth             ? up
+                           : downSmooth           ? down
+                                                  : 0;
+      slopeSquared += slope * slope;
+    }
+    inside_[corner] = own > 0.5;
+    const double distance = std::abs(own - 0.5);
+    if (distance * distance < slopeSquared) toHole_[corner] = distance / std::sqrt(slopeSquared);
+  }
+}
+
+// A corner in front of its nearest triangle is outside and one behind it inside, unless bodies
+// overlap or walls are double.
+bool BlockKernel::contradictsWinding() const {
+  for (int corner = 0; corner < kCount; ++corner) {
+    if (nearest_[corner] == kNone) continue;
+    const NearestPoint nearest{squared_[corner], u_[corner], v_[corner]};
+    if (!nearest.onFace() || nearest.squared < 1e-12) continue;
+    const bool front = grid_.triangles[nearest_[corner]].isFrontOf(placeOf(corner));
+    if (front == (inside_[corner] != 0)) return true;
+  }
+  return false;
+}
+
+float BlockKernel::valueAt(int corner) const {
+  const double distance = std::min(distanceOf(squared_[corner]), toHole_[corner]);
+  const double half = std::min(distance / (2 * kReach), 0.5);
+  return static_cast<float>(inside_[corner] != 0 ? 0.5 + half : 0.5 - half);
+}
+
+Colour BlockKernel::colourAt(int corner) const {
+  if (nearest_[corner] == kNone || grid_.mesh.colours.empty()) return colour_;
+  const auto& t = grid_.mesh.triangles[nearest_[corner]];
+  const auto &a = grid_.mesh.colours[t[0]], &b = grid_.mesh.colours[t[1]],
+             &c = grid_.mesh.colours[t[2]];
+  const float u = u_[corner], v = v_[corner];
+  const auto mix = [&](std::uint8_t x, std::uint8_t y, std::uint8_t z) {
+    const float blend = (1 - u - v) * float(x) + u * float(y) + v * float(z);
+    return static_cast<std::uint8_t>(std::clamp(blend + 0.5f, 0.0f, 255.0f));
+  };
+  return {mix(a.r, b.r, c.r), mix(a.g, b.g, c.g), mix(a.b, b.b, c.b)};
+}
+
+}  // namespace bozzetto
