@@ -1,0 +1,19 @@
+// What `info` tells about a surface.
+#pragma once
+#include "bozzetto/surface/surface.hpp"
+
+namespace bozzetto {
+
+struct SurfaceStatistics {
+  std::int64_t cubes = 0;          ///< with at least one corner that holds clay (Ferley's cubes)
+  std::int64_t crossingCubes = 0;  ///< the crossing list
+  std::int64_t edges = 0;          ///< crossing edges = vertices
+  std::int64_t triangles = 0;
+  std::int64_t components = 0;  ///< connected pieces of surface; a cavity counts as one
+};
+
+/// `surface` is up to date with `field`. O(blocks near the surface).
+template <int Side>
+SurfaceStatistics statistics(const Surface<Side>& surface, const Field<Side>& field);
+
+}  // namespace bozzetto

@@ -1,0 +1,166 @@
+#include "surface/dirty.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <map>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#include "bozzetto/base/parallel.hpp"
+#include "bozzetto/base/simd.hpp"
+#include "bozzetto/surface/surface.hpp"
+#include "surface/block_window.hpp"
+
+namespace bozzetto {
+namespace {
+
+// Bit n: value n or attributes n differ. -0 does not occur, so equal bits are equal values.
+template <int Side>
+BOZZETTO_KERNEL std::uint8_t differingBits(const CornerBlock<Side>& a, const CornerBlock<Side>& b,
+                                           int at) {
+#if defined(__SSE2__)
+  if constexpr (Side == 8) {
+    const auto equal = [&](int n) {
+      const auto load = [](const void* p) {
+        return _mm_loadu_si128(static_cast<const __m128i*>(p));
+      };
+      const __m128i values = _mm_cmpeq_epi32(load(&a.value[n]), load(&b.value[n]));
+      const __m128i colours = _mm_cmpeq_epi32(load(&a.attributes[n]), load(&b.attributes[n]));
+      return _mm_movemask_ps(_mm_castsi128_ps(_mm_and_si128(values, colours)));
+    };
+    return static_cast<std::uint8_t>(~(equal(at) | equal(at + 4) << 4));
+  }
+#endif
+  std::uint8_t bits = 0;
+  for (int n = 0; n < Side; ++n) {
+    const bool same =
+        a.value[at + n] == b.value[at + n] && a.attributes[at + n] == b.attributes[at + n];
+    bits |= static_cast<std::uint8_t>((same ? 0 : 1) << n);
+  }
+  return bits;
+}
+
+// The first two corners of a block are felt in the patches below, the last one in those above.
+Reach reachOf(std::uint32_t touchedPlaces, int side) {
+  const bool below = (touchedPlaces & 3) != 0, above = (touchedPlaces >> (side - 1) & 1) != 0;
+  return static_cast<Reach>((below ? 1 : 0) | (above ? 2 : 0));
+}
+
+template <int Side>
+bool surelyAllDirty(const CornerBlock<Side>* before, const CornerBlock<Side>* after) {
+  const float lowA = before != nullptr ? before->low : 0, highA = before ? before->high : 0;
+  const float lowB = after != nullptr ? after->low : 0, highB = after ? after->high : 0;
+  return highA < lowB || highB < lowA;
+}
+
+template <int Side>
+std::array<Reach, 3> reachOf(const DirtyRows<Side>& rows) {
+  std::uint32_t i = 0, j = 0, k = 0;
+  for (int row = 0; row < Side * Side; ++row) {
+    if (rows[row] == 0) continue;
+    i |= 1u << row / Side;
+    j |= 1u << row % Side;
+    k |= rows[row];
+  }
+  return {reachOf(i, Side), reachOf(j, Side), reachOf(k, Side)};
+}
+
+}  // namespace
+
+template <int Side>
+DirtyRows<Side> dirtyRows(const CornerBlock<Side>* before, const CornerBlock<Side>* after) {
+  DirtyRows<Side> rows;
+  if (surelyAllDirty(before, after)) {
+    rows.fill(static_cast<std::uint8_t>((1u << Side) - 1));
+    return rows;
+  }
+  const CornerBlock<Side>* const none = BlockWindow<Side>::empty();
+  const CornerBlock<Side>& a = before != nullptr ? *before : *none;
+  const CornerBlock<Side>& b = after != nullptr ? *after : *none;
+  for (int row = 0; row < Side * Side; ++row) rows[row] = differingBits<Side>(a, b, row * Side);
+  return rows;
+}
+
+template <int Side>
+std::vector<TouchedRun> touchedRuns(const Delta<CornerBlock<Side>>& delta) {
+  std::vector<TouchedRun> touched(delta.changes.size());
+  parallelFor(touched.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const auto& change = delta.changes[n];
+      touched[n].run = {change.key, change.length};
+      if (change.length > 1) continue;
+      touched[n].reach = reachOf<Side>(dirtyRows<Side>(change.before.get(), change.after.get()));
+    }
+  });
+  return touched;
+}
+
+namespace {
+
+// Eight rows of eight corners as one number: bit 8 j + k.
+using Layer = std::uint64_t;
+
+template <int Side>
+bool cornerDirty(const DirtyRows<Side>& rows, int i, int j, int k) {
+  return (rows[i * Side + j] >> k & 1) != 0;
+}
+
+// Cubes of the block at `key` with a dirty corner.
+template <int Side, class Find>
+std::int64_t treatedIn(Key key, Find&& rowsAt) {
+  std::array<const DirtyRows<Side>*, 8> blocks;
+  for (int n = 0; n < 8; ++n) blocks[n] = rowsAt(key + Key{n >> 2, n >> 1 & 1, n & 1});
+  const auto rowAt = [&](int i, int j) {
+    std::uint32_t bits = 0;
+    for (int next = 0; next < 2; ++next) {
+      const int block = i / Side << 2 | j / Side << 1 | next;
+      if (blocks[block] == nullptr) continue;
+      bits |= std::uint32_t{(*blocks[block])[i % Side * Side + j % Side]} << (next * Side);
+    }
+    return bits;
+  };
+  std::int64_t count = 0;
+  for (int i = 0; i < Side; ++i)
+    for (int j = 0; j < Side; ++j) {
+      const std::uint32_t bits =
+          rowAt(i, j) | rowAt(i + 1, j) | rowAt(i, j + 1) | rowAt(i + 1, j + 1);
+      count += std::popcount((bits | bits >> 1) & ((1u << Side) - 1));
+    }
+  return count;
+}
+
+}  // namespace
+
+template <int Side>
+std::int64_t treatedCubes(const Delta<CornerBlock<Side>>& delta) {
+  std::vector<TouchedRun> touched;
+  std::vector<DirtyRows<Side>> rows;
+  for (const auto& change : delta.changes) {
+    touched.push_back({{change.key, change.length}});
+    rows.push_back(dirtyRows<Side>(change.before.get(), change.after.get()));
+  }
+  const auto rowsAt = [&](Key key) -> const DirtyRows<Side>* {
+    const auto after = std::partition_point(
+        touched.begin(), touched.end(), [&](const TouchedRun& t) { return !(key < t.run.key); });
+    if (after == touched.begin()) return nullptr;
+    const KeyRun& run = std::prev(after)->run;
+    const bool covered = run.key.i == key.i && run.key.j == key.j && key.k < run.key.k + run.length;
+    return covered ? &rows[static_cast<std::size_t>(std::prev(after) - touched.begin())] : nullptr;
+  };
+  std::int64_t count = 0;
+  for (const auto& [key, length] : dilated(touched, 1, 0)) {
+    for (std::int32_t n = 0; n < length; ++n) count += treatedIn<Side>(key + Key{0, 0, n}, rowsAt);
+  }
+  return count;
+}
+
+template DirtyRows<1> dirtyRows(const CornerBlock<1>*, const CornerBlock<1>*);
+template DirtyRows<8> dirtyRows(const CornerBlock<8>*, const CornerBlock<8>*);
+template std::vector<TouchedRun> touchedRuns<1>(const Delta<CornerBlock<1>>&);
+template std::vector<TouchedRun> touchedRuns<8>(const Delta<CornerBlock<8>>&);
+template std::int64_t treatedCubes<1>(const Delta<CornerBlock<1>>&);
+template std::int64_t treatedCubes<8>(const Delta<CornerBlock<8>>&);
+
+}  // namespace bozzetto

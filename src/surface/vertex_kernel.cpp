@@ -1,0 +1,77 @@
+#include "surface/vertex_kernel.hpp"
+
+#include <cmath>
+
+#include "bozzetto/base/simd.hpp"
+
+// Nobody reads floating-point exception flags; GCC vectorises selections only when told so.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-trapping-math")
+#endif
+
+namespace bozzetto {
+namespace {
+
+constexpr float kLeast = 0x1p-12f;  // two crossings on edges of one corner never coincide
+constexpr float kRounder = 12.0f;   // numbers in [8, 16) are multiples of 2⁻²⁰
+
+BOZZETTO_KERNEL float crossingAt(float a, float b, float iso) {
+  float t = (iso - a) / (b - a);
+  t = t < kLeast ? kLeast : t;
+  t = t > 1 - kLeast ? 1 - kLeast : t;
+  return (t + kRounder) - kRounder;
+}
+
+BOZZETTO_KERNEL std::int32_t rounded(float x) {
+  return static_cast<std::int32_t>(x + std::copysign(0.5f, x));
+}
+
+// A vector of any length onto the octahedron, 16 bits a coordinate.
+BOZZETTO_KERNEL std::uint32_t octahedral(float x, float y, float z) {
+  const float sum = std::abs(x) + std::abs(y) + std::abs(z);
+  const float scale = 32767.0f / (sum > 0 ? sum : 1.0f);
+  const float u = x * scale, v = y * scale;
+  const float foldedU = std::copysign(32767.0f - std::abs(v), u);
+  const float foldedV = std::copysign(32767.0f - std::abs(u), v);
+  const auto packedU = static_cast<std::uint32_t>(rounded(z < 0 ? foldedU : u));
+  const auto packedV = static_cast<std::uint32_t>(rounded(z < 0 ? foldedV : v));
+  return (packedU & 0xffff) | packedV << 16;
+}
+
+// Four 8-bit channels, `weight` of 256 parts b.
+BOZZETTO_KERNEL std::uint32_t mixed(std::uint32_t a, std::uint32_t b, std::uint32_t weight) {
+  constexpr std::uint32_t kEven = 0x00ff00ff, kHalf = 0x00800080;
+  const std::uint32_t even = ((a & kEven) * (256 - weight) + (b & kEven) * weight + kHalf) >> 8;
+  const std::uint32_t odd = (a >> 8 & kEven) * (256 - weight) + (b >> 8 & kEven) * weight + kHalf;
+  return (even & kEven) | (odd & ~kEven);
+}
+
+BOZZETTO_KERNEL void finishKernel(CrossingEdges& e, int count, float iso) {
+  for (int n = 0; n < count; ++n) {
+    const float a = e.valueA[n], b = e.valueB[n], t = crossingAt(a, b, iso);
+    const auto along = [t](float from, float to) { return from + (to - from) * t; };
+    e.position[0][n] += e.axis[n] == 0 ? t : 0.0f;
+    e.position[1][n] += e.axis[n] == 1 ? t : 0.0f;
+    e.position[2][n] += e.axis[n] == 2 ? t : 0.0f;
+    e.normal[n] = octahedral(-along(e.gradientA[0][n], e.gradientB[0][n]),
+                             -along(e.gradientA[1][n], e.gradientB[1][n]),
+                             -along(e.gradientA[2][n], e.gradientB[2][n]));
+    // A corner without clay has no colour to give.
+    float part = t * 256 + 0.5f;
+    part = b > 0 ? part : 0.0f;
+    part = a > 0 ? part : 256.0f;
+    const auto weight = static_cast<std::uint32_t>(static_cast<std::int32_t>(part));
+    e.colour[n] = mixed(e.coloursA[n], e.coloursB[n], weight);
+  }
+}
+
+BOZZETTO_SIMD_DISPATCH(void, finishDispatched, finishKernel,
+                       (CrossingEdges & edges, int count, float iso), (edges, count, iso))
+
+}  // namespace
+
+void finishVertices(CrossingEdges& edges, int count, float iso) {
+  finishDispatched(edges, count, iso);
+}
+
+}  // namespace bozzetto

@@ -1,0 +1,28 @@
+// From the two ends of crossing edges to finished vertices, many at a time.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "bozzetto/surface/patch.hpp"
+
+namespace bozzetto {
+
+/// Crossing edges of one block, one array a quantity so that eight are worked on at once.
+struct CrossingEdges {
+  static constexpr int kMost = 1952;  // 3·9·9·8 edges of a block of side 8, and up to a full row
+
+  using Floats = std::array<float, kMost>;
+  alignas(64) Floats valueA, valueB;  ///< smaller corner first
+  alignas(64) std::array<Floats, 3> gradientA, gradientB;
+  alignas(64) std::array<std::uint32_t, kMost> coloursA, coloursB;  ///< Attributes
+  alignas(64) std::array<Floats, 3> position;  ///< in: smaller corner; out: the vertex
+  alignas(64) std::array<std::int32_t, kMost> axis;
+  alignas(64) std::array<std::uint32_t, kMost> normal, colour;  ///< out
+};
+
+/// Interpolates `count` crossings of `iso`.
+/// t = (iso - a) / (b - a), kept off the ends and rounded to 2⁻²⁰ cells: positions are exact in
+/// float wherever the edge lies in its block, so a shape moved by whole cells keeps its vertices.
+void finishVertices(CrossingEdges& edges, int count, float iso);
+
+}  // namespace bozzetto
