@@ -1,0 +1,68 @@
+// Whatever a person can do is an operation: a small value that can be kept, replayed and told to
+// others. Window, command line and tests all speak in these. World units throughout.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "bozzetto/tool/action.hpp"
+#include "bozzetto/tool/fill.hpp"
+#include "bozzetto/tool/shape.hpp"
+#include "bozzetto/tool/stroke.hpp"
+
+namespace bozzetto {
+
+/// Spacing and iso of an empty document. On one that has clay, other values are an error.
+struct SceneOperation {
+  std::optional<double> spacing;
+  std::optional<double> iso;
+};
+
+/// Deposits a whole primitive.
+struct FillOperation {
+  Primitive primitive;
+};
+
+/// The tool that strokes use from now on.
+struct ToolOperation {
+  ToolShape shape;
+};
+
+/// What strokes do from now on.
+struct ActionOperation {
+  ActionOptions action;
+};
+
+struct StrokeOperation {
+  Stroke stroke;
+};
+
+/// A count beyond the history takes back all there is.
+struct UndoOperation {
+  int count = 1;
+};
+
+struct RedoOperation {
+  int count = 1;
+};
+
+/// The same clay on another grid.
+struct ResampleOperation {
+  double spacing = 1;
+};
+
+using Operation = std::variant<SceneOperation, FillOperation, ToolOperation, ActionOperation,
+                               StrokeOperation, UndoOperation, RedoOperation, ResampleOperation>;
+
+/// The "op" of an operation: "scene", "fill", …
+std::string_view nameOf(const Operation& operation);
+
+/// One operation from one line of JSON. `where` opens error texts ("file.jsonl:12"). Throws Error
+/// for what does not parse, unknown operations, unknown keys, values of the wrong kind.
+Operation parseOperation(std::string_view line, const std::string& where);
+
+/// One line of JSON that parses to the same operation.
+std::string toText(const Operation& operation);
+
+}  // namespace bozzetto

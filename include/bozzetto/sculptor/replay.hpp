@@ -1,0 +1,30 @@
+// Replaying a recording from start to end, on its own grid or another.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "bozzetto/sculptor/recording.hpp"
+#include "bozzetto/sculptor/sculptor.hpp"
+
+namespace bozzetto {
+
+struct ReplayOptions {
+  SurfaceUpkeep upkeep = SurfaceUpkeep::none;
+  /// World units per cell in place of what the recording (or the clay it starts on) says. The clay
+  /// is resampled first; later resample operations are scaled by the same factor.
+  std::optional<double> spacing;
+};
+
+struct ReplayResult {
+  Clay field;
+  std::vector<OperationReport> reports;  ///< one an operation
+};
+
+/// Throws Error naming the operation (counted from 1) that cannot be done.
+ReplayResult replay(const Recording& recording, const Clay& from, const ReplayOptions& options = {},
+                    Progress& progress = Progress::none());
+
+/// Sums of counts and times; mass before the first and after the last.
+OperationReport totalOf(const std::vector<OperationReport>& reports);
+
+}  // namespace bozzetto

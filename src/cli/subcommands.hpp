@@ -1,0 +1,14 @@
+// One function per subcommand, one file each. Each adds its arguments and what happens then.
+#pragma once
+#include <CLI/CLI.hpp>
+
+namespace bozzetto::cli {
+
+void addCheck(CLI::App& app);
+void addExport(CLI::App& app);
+void addImport(CLI::App& app);
+void addInfo(CLI::App& app);
+void addRender(CLI::App& app);
+void addReplay(CLI::App& app);
+
+}  // namespace bozzetto::cli

@@ -1,0 +1,70 @@
+#include "bozzetto/sculptor/recording.hpp"
+
+#include "bozzetto/base/file.hpp"
+#include "sculptor/operation_json.hpp"
+
+namespace bozzetto {
+namespace {
+
+constexpr int kDeepest = 8;
+
+// Parses one line; deep nesting is refused while it is read, before anything could recurse on it.
+Json parseLine(std::string_view line, const std::string& where) {
+  try {
+    return Json::parse(line, [&](int depth, Json::parse_event_t, Json&) {
+      if (depth > kDeepest) throw Error(where + ": nested too deeply");
+      return true;
+    });
+  } catch (const Json::exception&) {
+    throw Error(where + ": not a line of JSON");
+  }
+}
+
+void requireHeader(std::string_view line, const std::string& where) {
+  const Json json = parseLine(line, where);
+  JsonObject object(json, where);
+  if (!object.has("bozzetto") || object.text("bozzetto") != "recording") {
+    object.fail("not a recording: the first line is {\"bozzetto\":\"recording\",\"version\":1}");
+  }
+  const int version = object.integer("version", 0);
+  if (version != 1) object.fail("version " + std::to_string(version) + " found, 1 expected");
+  object.done();
+}
+
+}  // namespace
+
+Operation parseOperation(std::string_view line, const std::string& where) {
+  const Json json = parseLine(line, where);
+  JsonObject object(json, where);
+  return operationFrom(object);
+}
+
+Recording parseRecording(std::string_view text, const std::string& name) {
+  Recording recording;
+  bool headerSeen = false;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.find_first_not_of(" \t\r") == line.npos) continue;
+    const std::string where = name + ":" + std::to_string(number);
+    if (headerSeen) recording.operations.push_back(parseOperation(line, where));
+    if (!headerSeen) requireHeader(line, where);
+    headerSeen = true;
+  }
+  if (!headerSeen) throw Error(name + ": empty, a recording expected");
+  return recording;
+}
+
+Recording readRecording(const std::filesystem::path& path) {
+  const Bytes bytes = readFile(path, std::size_t{1} << 30);
+  return parseRecording({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
+}
+
+std::string toText(const Recording& recording) {
+  std::string text = "{\"bozzetto\":\"recording\",\"version\":1}\n";
+  for (const Operation& operation : recording.operations) text += toText(operation) + "\n";
+  return text;
+}
+
+}  // namespace bozzetto

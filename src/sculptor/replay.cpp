@@ -1,0 +1,93 @@
+#include "bozzetto/sculptor/replay.hpp"
+
+#include "bozzetto/field/resample.hpp"
+
+namespace bozzetto {
+namespace {
+
+// The spacing a recording is made for: what its first scene operation says, or what is there.
+double recordedSpacing(const Recording& recording, const Clay& from) {
+  if (!from.tree.empty()) return from.scale.spacing;
+  for (const Operation& operation : recording.operations) {
+    const auto* scene = std::get_if<SceneOperation>(&operation);
+    if (scene != nullptr && scene->spacing) return *scene->spacing;
+  }
+  return from.scale.spacing;
+}
+
+// The recording for cells `factor` times as large.
+Recording rescaled(Recording recording, double factor) {
+  for (Operation& operation : recording.operations) {
+    if (auto* scene = std::get_if<SceneOperation>(&operation)) {
+      if (scene->spacing) *scene->spacing *= factor;
+    } else if (auto* resampling = std::get_if<ResampleOperation>(&operation)) {
+      resampling->spacing *= factor;
+    }
+  }
+  return recording;
+}
+
+// Progress of one operation as a part of the whole.
+class Part : public Progress {
+ public:
+  Part(Progress& whole, std::size_t index, std::size_t count)
+      : whole_(&whole), begin_(double(index)), count_(double(count)) {}
+  bool report(std::string_view, double done) override {
+    return whole_->report("replaying", (begin_ + done) / count_);
+  }
+  void note(std::string_view text) override { whole_->note(text); }
+
+ private:
+  Progress* whole_;
+  double begin_, count_;
+};
+
+}  // namespace
+
+ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOptions& options,
+                    Progress& progress) {
+  Clay start = from;
+  Recording recording = recorded;
+  if (options.spacing) {
+    recording = rescaled(std::move(recording), *options.spacing / recordedSpacing(recorded, from));
+    start = resample(from, *options.spacing, {}, progress);
+  }
+  Sculptor sculptor(std::move(start), options.upkeep);
+
+  std::vector<OperationReport> reports;
+  const std::size_t count = recording.operations.size();
+  for (std::size_t n = 0; n < count; ++n) {
+    Part part(progress, n, count);
+    part.step("", 0);
+    try {
+      reports.push_back(sculptor.apply(recording.operations[n], part));
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      throw Error("operation " + std::to_string(n + 1) + ": " + error.what());
+    }
+  }
+  return {sculptor.field(), std::move(reports)};
+}
+
+OperationReport totalOf(const std::vector<OperationReport>& reports) {
+  OperationReport total;
+  if (reports.empty()) return total;
+  for (const OperationReport& each : reports) {
+    total.msField += each.msField;
+    total.msSurface += each.msSurface;
+    total.msHistory += each.msHistory;
+    total.dabs += each.dabs;
+    total.visited += each.visited;
+    total.computed += each.computed;
+    total.dirty += each.dirty;
+    total.treated += each.treated;
+    total.massDropped += each.massDropped;
+    total.changedBlocks += each.changedBlocks;
+  }
+  total.massBefore = reports.front().massBefore;
+  total.massAfter = reports.back().massAfter;
+  return total;
+}
+
+}  // namespace bozzetto
