@@ -19,33 +19,27 @@ missingPackages() {
   done | sort -u
 }
 
-asRoot() {
-  if [[ $(id -u) == 0 ]]; then
-    "$@"
-  elif command -v sudo >/dev/null; then
-    sudo "$@"
-  else
-    die "please install as root: ${missing[*]}"
-  fi
-}
-
 # Installs what is missing for the given purposes; says nothing when nothing is.
 needPackages() {
-  local missing apt
+  local missing apt sudo=()
   if ! command -v dpkg-query >/dev/null; then
     say "not a Debian machine: needs what cmake/packages.txt names ($*)"
     return
   fi
   mapfile -t missing < <(missingPackages "$@")
   ((${#missing[@]})) || return 0
+  if [[ $(id -u) != 0 ]]; then
+    command -v sudo >/dev/null || die "please install as root: apt-get install ${missing[*]}"
+    sudo=(sudo)
+  fi
   say "installing ${missing[*]}"
   mkdir -p "$root/build"
   # Another package manager may be at work: wait for its lock.
-  apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y
+  apt=("${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y
        -o DPkg::Lock::Timeout=600 -o Acquire::Retries=3)
   {
-    asRoot "${apt[@]}" update || say "apt-get update failed; going on with the lists at hand"
-    asRoot "${apt[@]}" install --no-install-recommends "${missing[@]}"
+    "${apt[@]}" update || say "apt-get update failed; going on with the lists at hand"
+    "${apt[@]}" install --no-install-recommends "${missing[@]}"
   } >"$root/build/packages.log" 2>&1 || {
     tail -n 20 "$root/build/packages.log" >&2
     die "could not install ${missing[*]}"

@@ -12,7 +12,9 @@ chmod 755 "$work"
 cd "$work"
 download() { apt-get -q download libcgal-demo assimp-testmodels; }
 # A fresh machine has no package lists yet.
-refresh() { if [[ $(id -u) == 0 ]]; then apt-get -q update; else sudo -n apt-get -q update; fi; }
+refresh() {
+  if [[ $(id -u) == 0 ]]; then apt-get -q update; else sudo -n apt-get -q update; fi
+}
 download >log 2>&1 || { refresh && download; } >>log 2>&1 || {
   echo "fetch_meshes: cannot download libcgal-demo and assimp-testmodels: $(tail -n 1 log)" >&2
   exit 1
