@@ -34,6 +34,19 @@ class Edit {
   const Block* read(Key key) const { return tree_->find(key); }
   const KeyTree<Block>& tree() const { return *tree_; }
 
+  /// Calls back piece(KeyRun, const Block*) for every node part and every hole (null) of the run,
+  /// in order. O(log n + pieces).
+  template <class Callback>
+  void visit(KeyRun run, Callback&& piece) const {
+    forPieces(*tree_, run, [&](KeyRun part, const Ref<Block>& block) { piece(part, block.get()); });
+  }
+
+  /// `present` for writing in place when this edit made it, else null. O(1).
+  Block* own(const Block* present) const {
+    const bool mine = present != nullptr && present->editor == number_;
+    return mine ? const_cast<Block*>(present) : nullptr;  // made by this edit, not const then
+  }
+
   /// The block to write in place: this edit's own, cloned or made empty at the first call for a
   /// key. The reference stays good until commit, rollback, or replace of this key. Not from
   /// several threads; the blocks returned may be filled in parallel. O(log n).

@@ -1,0 +1,81 @@
+// What a tool does to the clay it covers (Ferley §4.2; algorithms.md §1).
+#pragma once
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "bozzetto/field/corner_block.hpp"
+
+namespace bozzetto {
+
+/// With p the tool's potential at the corner and s the strength, scaled by 1 − hold/255:
+///   add         v ← min(1, v + s·p), colour blended with weight s·p / (v + s·p)
+///   remove      v ← max(0, v − s·p)
+///   erase       v ← 0 where p > 0
+///   paint       colour ← tool's where p > 0
+///   paintSoft   colour blended with weight s·p / (s·p + v)
+///   smooth      v ← v + s·p·(lowpass(v) − v), colour likewise weighted by density
+/// The hard ones, erase and paint, ignore s and act where hold < 128.
+enum class ActionKind { add, remove, erase, paint, paintSoft, smooth };
+
+/// "add", "remove", "erase", "paint", "paint_soft", "smooth".
+std::string_view toText(ActionKind kind);
+std::optional<ActionKind> actionNamed(std::string_view name);
+
+struct ActionOptions {
+  ActionKind kind = ActionKind::add;
+  double strength = 0.5;  ///< 0…1 per dab
+  Colour colour;          ///< what add and the paints give
+};
+
+/// Throws Error unless the strength is in 0…1.
+void requireValid(const ActionOptions& options);
+
+/// The corners of a block as an action sees them. The arrays of the new state may be those of the
+/// old one.
+struct BlockView {
+  int count;
+  const float* value;
+  const Attributes* attributes;
+  float* newValue;
+  Attributes* newAttributes;
+  const float* potential;
+  const struct Lowpass* lowpass = nullptr;  ///< for actions that ask for it
+};
+
+/// The block's neighbourhood, low-passed: (1 2 1)³/64 of the old values.
+struct Lowpass {
+  const float* value;
+  const float* premultiplied[3];  ///< of value · colour channel; null where one colour is all
+  Attributes onlyColour;          ///< that colour
+};
+
+/// What became of a block. Where dirty is 0 the new state is the old one, bit for bit.
+struct Outcome {
+  int dirty = 0;            ///< corners that changed
+  float low = 0, high = 0;  ///< of the new values
+  bool uniform = false;     ///< all corners are equal, attributes too
+  MassUnits dropped = 0;    ///< mass the action let go (smooth)
+};
+
+/// What is known of a block, or of a run of equal ones, before looking at its corners.
+struct BlockSummary {
+  bool present = false;
+  bool uniform = false;  ///< all corners as these:
+  float value = 0;
+  Attributes attributes = 0;
+};
+
+class Action {
+ public:
+  virtual ~Action() = default;
+  /// True when such a block stays as it is whatever the potential.
+  virtual bool leaves(const BlockSummary& block) const = 0;
+  /// Does it; `strength` per dab.
+  virtual Outcome apply(const BlockView& block, float strength) const = 0;
+  virtual bool wantsLowpass() const { return false; }
+};
+
+std::unique_ptr<Action> makeAction(const ActionOptions& options);
+
+}  // namespace bozzetto

@@ -1,0 +1,111 @@
+// Strokes: points joined by lines, resampled to dabs, repeated by symmetry. One edit a stroke.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bozzetto/base/progress.hpp"
+#include "bozzetto/tool/dab.hpp"
+#include "bozzetto/tool/symmetry.hpp"
+
+namespace bozzetto {
+
+struct StrokePoint {
+  glm::dvec3 position{0};  ///< world units
+  double pressure = 1;     ///< 0…1
+};
+
+/// What pressure multiplies.
+struct PressureTargets {
+  bool strength = false;
+  bool size = false;
+};
+
+struct Stroke {
+  std::vector<StrokePoint> points;
+  double spacing = 0.25;  ///< between dabs, × the tool's smallest radius; > 0
+  PressureTargets pressure;
+  Symmetry symmetry;
+};
+
+inline constexpr std::int64_t kMostDabs = 10'000'000;
+
+/// The points of a polyline at equal distances along it, the first one included. Distances carry
+/// on round corners; pressure is linear between points.
+class StrokePath {
+ public:
+  struct Sample {
+    glm::dvec3 position;
+    double pressure;
+  };
+
+  /// `points` in cells; `step` > 0 in cells.
+  StrokePath(std::vector<Sample> points, double step);
+  /// 1 + ⌊length / step⌋, as a double because it may be absurd.
+  double count() const;
+  Sample at(std::int64_t n) const;
+
+ private:
+  std::vector<Sample> points_;
+  std::vector<double> distance_;  // along the line, of every point
+  double step_;
+};
+
+/// A stroke that is made dab by dab, so that a window can show each one. The caller owns the edit
+/// and commits it; when something throws, the edit has been rolled back.
+template <int Side>
+class StrokeRunner {
+ public:
+  /// Checks everything first. Throws Error for bad points, tools, actions, spacings, symmetries,
+  /// for more than 10 million dabs and for boxes beyond the workspace.
+  StrokeRunner(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, const ToolShape& tool,
+               const ActionOptions& action, const Stroke& stroke);
+
+  std::int64_t dabCount() const { return count_; }       ///< symmetric images not counted
+  const std::string& notice() const { return notice_; }  ///< about the tool; may be empty
+
+  /// Makes the n-th dab and its images.
+  DabReport dab(std::int64_t n);
+
+  /// Reports that the n-th is made; rolls the edit back and throws Cancelled when asked to stop.
+  void step(Progress& progress, std::int64_t n);
+
+ private:
+  DabPose poseAt(const StrokePath::Sample& sample) const;
+  ToolShape sized(double pressure) const;
+  void requireRoom(const std::vector<StrokePath::Sample>& points) const;
+
+  Edit<CornerBlock<Side>>* edit_;
+  DabWalker<Side> walker_;
+  ToolShape tool_;  // radii in cells
+  std::unique_ptr<Potential> potential_;
+  std::unique_ptr<Action> action_;
+  double strength_;
+  PressureTargets pressure_;
+  std::string notice_;
+  Key origin_;
+  std::vector<glm::dmat3> images_;
+  glm::dvec3 centre_;
+  std::optional<StrokePath> path_;
+  std::int64_t count_ = 0;
+};
+
+extern template class StrokeRunner<1>;
+extern template class StrokeRunner<8>;
+
+struct StrokeReport {
+  std::int64_t dabs = 0;  ///< symmetric images not counted
+  DabReport total;        ///< `changed` sorted, each key once
+  std::string notice;
+};
+
+/// A whole stroke. Cancelling rolls the edit back and throws Cancelled.
+template <int Side>
+StrokeReport applyStroke(StrokeRunner<Side>& runner, Progress& progress = Progress::none());
+
+extern template StrokeReport applyStroke(StrokeRunner<1>&, Progress&);
+extern template StrokeReport applyStroke(StrokeRunner<8>&, Progress&);
+
+}  // namespace bozzetto

@@ -1,0 +1,65 @@
+#include "bozzetto/tool/action.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "bozzetto/base/error.hpp"
+#include "tool/actions.hpp"
+#include "tool/corner_loop.hpp"
+
+namespace bozzetto {
+namespace {
+
+constexpr std::array<std::string_view, 6> kNames{"add",   "remove",     "erase",
+                                                 "paint", "paint_soft", "smooth"};
+
+BOZZETTO_KERNEL bool otherColourKernel(const BlockView& block, Attributes tool) {
+  Attributes differs = 0;
+  for (int n = 0; n < block.count; ++n) {
+    const bool met = (block.potential[n] > 0) & (block.value[n] > 0);
+    differs |= met ? block.attributes[n] ^ tool : 0;
+  }
+  return (differs & kColourBits) != 0;
+}
+
+BOZZETTO_SIMD_DISPATCH(bool, meets, otherColourKernel, (const BlockView& block, Attributes tool),
+                       (block, tool))
+
+}  // namespace
+
+bool meetsOtherColour(const BlockView& block, Attributes tool) { return meets(block, tool); }
+
+std::string_view toText(ActionKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
+
+std::optional<ActionKind> actionNamed(std::string_view name) {
+  for (std::size_t n = 0; n < kNames.size(); ++n)
+    if (kNames[n] == name) return static_cast<ActionKind>(n);
+  return std::nullopt;
+}
+
+void requireValid(const ActionOptions& options) {
+  if (options.strength >= 0 && options.strength <= 1) return;
+  throw Error("action strength: " + std::to_string(options.strength) +
+              " found, a number in 0…1 expected");
+}
+
+std::unique_ptr<Action> makeAction(const ActionOptions& options) {
+  requireValid(options);
+  switch (options.kind) {
+    case ActionKind::add:
+      return makeAdd(options.colour);
+    case ActionKind::remove:
+      return makeRemove();
+    case ActionKind::erase:
+      return makeErase();
+    case ActionKind::paint:
+      return makePaint(options.colour);
+    case ActionKind::paintSoft:
+      return makePaintSoft(options.colour);
+    case ActionKind::smooth:
+      return makeSmooth();
+  }
+  return nullptr;
+}
+
+}  // namespace bozzetto

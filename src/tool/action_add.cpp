@@ -1,0 +1,60 @@
+#include "tool/actions.hpp"
+#include "tool/corner_loop.hpp"
+
+namespace bozzetto {
+namespace {
+
+// Where all clay in reach has the tool's colour, or there is none, nothing needs blending.
+struct AddRule {
+  const float* potential;
+  float strength;
+  Attributes tool;
+
+  BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
+    const float amount = pull(strength, potential[n], old.attributes);
+    const float sum = old.value + amount;
+    const float value = sum < 1.0f ? sum : 1.0f;
+    const Attributes painted = tool | (old.attributes & kHoldBits);
+    return {amount > 0 ? value : old.value, amount > 0 ? painted : old.attributes};
+  }
+};
+
+struct AddBlendRule {
+  const float* potential;
+  float strength;
+  Attributes tool;
+
+  BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
+    const float amount = pull(strength, potential[n], old.attributes);
+    const float sum = old.value + amount;
+    const float value = sum < 1.0f ? sum : 1.0f;
+    const Attributes mixed = blended(old.attributes, tool, amount / sum, amount > 1.0f / 64.0f);
+    return {amount > 0 ? value : old.value, amount > 0 ? mixed : old.attributes};
+  }
+};
+
+class Add final : public Action {
+ public:
+  explicit Add(Colour colour) : tool_(packAttributes(colour)) {}
+
+  bool leaves(const BlockSummary& block) const override {
+    const bool full = block.uniform && block.value == 1;
+    return full &&
+           (((block.attributes ^ tool_) & kColourBits) == 0 || holdOf(block.attributes) == 255);
+  }
+
+  Outcome apply(const BlockView& block, float strength) const override {
+    if (meetsOtherColour(block, tool_))
+      return run(block, AddBlendRule{block.potential, strength, tool_});
+    return run(block, AddRule{block.potential, strength, tool_});
+  }
+
+ private:
+  Attributes tool_;
+};
+
+}  // namespace
+
+std::unique_ptr<Action> makeAdd(Colour colour) { return std::make_unique<Add>(colour); }
+
+}  // namespace bozzetto

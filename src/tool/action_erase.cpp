@@ -1,0 +1,30 @@
+#include "tool/actions.hpp"
+#include "tool/corner_loop.hpp"
+
+namespace bozzetto {
+namespace {
+
+struct EraseRule {
+  const float* potential;
+
+  BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
+    const bool hit = (potential[n] > 0) & (old.attributes >> 24 < kHardHold);
+    return {hit ? 0.0f : old.value, old.attributes};
+  }
+};
+
+class Erase final : public Action {
+ public:
+  bool leaves(const BlockSummary& block) const override {
+    return !block.present || (block.uniform && holdOf(block.attributes) >= kHardHold);
+  }
+  Outcome apply(const BlockView& block, float) const override {
+    return run(block, EraseRule{block.potential});
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Action> makeErase() { return std::make_unique<Erase>(); }
+
+}  // namespace bozzetto

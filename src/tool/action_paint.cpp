@@ -1,0 +1,39 @@
+#include "tool/actions.hpp"
+#include "tool/corner_loop.hpp"
+
+namespace bozzetto {
+namespace {
+
+struct PaintRule {
+  const float* potential;
+  Attributes tool;
+
+  BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
+    const bool hit = (potential[n] > 0) & (old.attributes >> 24 < kHardHold);
+    const Attributes painted = tool | (old.attributes & kHoldBits);
+    return {old.value, hit ? painted : old.attributes};
+  }
+};
+
+class Paint final : public Action {
+ public:
+  explicit Paint(Colour colour) : tool_(packAttributes(colour)) {}
+
+  bool leaves(const BlockSummary& block) const override {
+    if (!block.present) return true;
+    return block.uniform && (((block.attributes ^ tool_) & kColourBits) == 0 ||
+                             holdOf(block.attributes) >= kHardHold);
+  }
+  Outcome apply(const BlockView& block, float) const override {
+    return run(block, PaintRule{block.potential, tool_});
+  }
+
+ private:
+  Attributes tool_;
+};
+
+}  // namespace
+
+std::unique_ptr<Action> makePaint(Colour colour) { return std::make_unique<Paint>(colour); }
+
+}  // namespace bozzetto

@@ -1,0 +1,31 @@
+#include "tool/actions.hpp"
+#include "tool/corner_loop.hpp"
+
+namespace bozzetto {
+namespace {
+
+struct RemoveRule {
+  const float* potential;
+  float strength;
+
+  BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
+    const float rest = old.value - pull(strength, potential[n], old.attributes);
+    return {rest > 0 ? rest : 0.0f, old.attributes};
+  }
+};
+
+class Remove final : public Action {
+ public:
+  bool leaves(const BlockSummary& block) const override {
+    return !block.present || (block.uniform && holdOf(block.attributes) == 255);
+  }
+  Outcome apply(const BlockView& block, float strength) const override {
+    return run(block, RemoveRule{block.potential, strength});
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Action> makeRemove() { return std::make_unique<Remove>(); }
+
+}  // namespace bozzetto

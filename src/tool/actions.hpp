@@ -1,0 +1,14 @@
+// One file an action; here their makers.
+#pragma once
+#include "bozzetto/tool/action.hpp"
+
+namespace bozzetto {
+
+std::unique_ptr<Action> makeAdd(Colour colour);
+std::unique_ptr<Action> makeRemove();
+std::unique_ptr<Action> makeErase();
+std::unique_ptr<Action> makePaint(Colour colour);
+std::unique_ptr<Action> makePaintSoft(Colour colour);
+std::unique_ptr<Action> makeSmooth();
+
+}  // namespace bozzetto

@@ -1,0 +1,60 @@
+// From lists of blocks to a changed tree: what dabs and fills share.
+#pragma once
+#include "bozzetto/tool/dab.hpp"
+
+namespace bozzetto {
+
+enum class WriteTo { own, fresh };
+
+template <int Side>
+const CornerBlock<Side>& emptyBlock() {
+  static const auto* const block = new CornerBlock<Side>();
+  return *block;
+}
+
+/// The old corners and room for the new ones: in the edit's own block where it has one and may,
+/// else in a fresh one. From several threads, each with its own work.
+template <int Side>
+BlockView viewOf(const Edit<CornerBlock<Side>>& edit, BlockWork<Side>& work, WriteTo to) {
+  CornerBlock<Side>* out = to == WriteTo::own ? edit.own(work.old) : nullptr;
+  if (out == nullptr) {
+    work.fresh = edit.fresh();
+    out = work.fresh.get();
+  }
+  const CornerBlock<Side>& old = work.old == nullptr ? emptyBlock<Side>() : *work.old;
+  return {CornerBlock<Side>::kCount,
+          old.value.data(),
+          old.attributes.data(),
+          out->value.data(),
+          out->attributes.data(),
+          nullptr,
+          nullptr};
+}
+
+/// Puts what changed into the tree, adds it to the report and empties the list. Blocks that end
+/// uniform become the interned ones at once: their memory serves the next dab.
+template <int Side>
+void writeAll(Edit<CornerBlock<Side>>& edit, std::vector<BlockWork<Side>>& list,
+              DabReport& report) {
+  using Block = CornerBlock<Side>;
+  for (BlockWork<Side>& work : list) {
+    const Outcome& outcome = work.outcome;
+    report.dropped += outcome.dropped;
+    if (outcome.dirty == 0) continue;
+    report.dirty += outcome.dirty;
+    report.changed.push_back({work.key, 1});
+    Block* now = work.fresh ? work.fresh.get() : edit.own(work.old);
+    now->low = outcome.low;
+    now->high = outcome.high;
+    if (outcome.high <= 0) {
+      edit.replace({work.key, 1}, nullptr);
+    } else if (Side > 1 && outcome.uniform) {
+      edit.replace({work.key, 1}, Block::uniform(now->value[0], now->attributes[0]));
+    } else if (work.fresh) {
+      edit.replace({work.key, 1}, work.fresh);
+    }
+  }
+  list.clear();
+}
+
+}  // namespace bozzetto

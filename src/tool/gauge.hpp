@@ -1,0 +1,120 @@
+// Gauges: u(p) of a convex shape, 0 at the centre, 1 on its limit, proportional along rays. They
+// take |local position| and return u², and never fall when a component grows: so the gauge of the
+// nearest corner of a box bounds the box.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <glm/vec3.hpp>
+
+#include "bozzetto/base/simd.hpp"
+
+namespace bozzetto {
+
+struct EllipsoidGauge {
+  explicit EllipsoidGauge(const glm::dvec3&) {}
+  BOZZETTO_KERNEL float operator()(float x, float y, float z) const {
+    return (x * x + y * y) + z * z;
+  }
+};
+
+struct CylinderGauge {
+  explicit CylinderGauge(const glm::dvec3&) {}
+  BOZZETTO_KERNEL float operator()(float x, float y, float z) const {
+    const float round = x * x + z * z, flat = y * y;
+    return round > flat ? round : flat;
+  }
+};
+
+// The smaller root of a·u² − 2·b·u + c = 0, for a of any sign: c / (b + √(b² − a·c)).
+BOZZETTO_KERNEL float smallerRoot(float a, float b, float c) {
+  const float discriminant = b * b - a * c;
+  const float root = std::sqrt(discriminant > 0 ? discriminant : 0.0f);
+  const float sum = b + root;
+  return sum > 0 ? c / sum : 0.0f;
+}
+
+// A segment of half length l along y plus an ellipsoid with half axes (1, c, 1), l + c = 1.
+class CapsuleGauge {
+ public:
+  explicit CapsuleGauge(const glm::dvec3& radii) {
+    const double cap = std::min(radii.y, std::sqrt(radii.x * radii.z)) / radii.y;
+    length_ = static_cast<float>(1 - cap);
+    cap_ = static_cast<float>(cap);
+  }
+  BOZZETTO_KERNEL float operator()(float x, float y, float z) const {
+    const float round = x * x + z * z;
+    // Beside the segment u² = round; beyond it (y − u·l)² = c²·(u² − round).
+    const float u =
+        smallerRoot(length_ * length_ - cap_ * cap_, y * length_, y * y + (cap_ * cap_) * round);
+    return y * y > round * (length_ * length_) ? u * u : round;
+  }
+
+ private:
+  float length_, cap_;
+};
+
+// A box of half sides b plus a ball of radius r, b + r = radii: ∑ max(q − u·b, 0)² = (u·r)².
+class BoxGauge {
+ public:
+  static constexpr double kRounding = 0.25;  // of the smallest radius
+
+  explicit BoxGauge(const glm::dvec3& radii) {
+    const double smallest = std::min({radii.x, radii.y, radii.z});
+    for (int axis = 0; axis < 3; ++axis) {
+      scale_[axis] = static_cast<float>(radii[axis] / smallest);
+      core_[axis] = static_cast<float>(radii[axis] / smallest - kRounding);
+    }
+  }
+  BOZZETTO_KERNEL float operator()(float x, float y, float z) const {
+    Side a{x * scale_[0], core_[0]}, b{y * scale_[1], core_[1]}, c{z * scale_[2], core_[2]};
+    // Sides join the sum in the order in which growing u passes them: falling q/core.
+    order(a, b);
+    order(b, c);
+    order(a, b);
+    constexpr float rounding = kRounding, r2 = rounding * rounding;
+    const float one = a.q / (a.core + rounding);
+    const float c2 = a.core * a.core + b.core * b.core - r2, b2 = a.q * a.core + b.q * b.core,
+                a2 = a.q * a.q + b.q * b.q;
+    const float two = smallerRoot(c2, b2, a2);
+    const float three = smallerRoot(c2 + c.core * c.core, b2 + c.q * c.core, a2 + c.q * c.q);
+    const float most = c.q > two * c.core ? three : two;
+    const float u = b.q > one * b.core ? most : one;
+    return u * u;
+  }
+
+ private:
+  struct Side {
+    float q, core;
+  };
+  BOZZETTO_KERNEL static void order(Side& first, Side& second) {
+    const bool swap = first.q * second.core < second.q * first.core;
+    const Side greater{swap ? second.q : first.q, swap ? second.core : first.core};
+    second = {swap ? first.q : second.q, swap ? first.core : second.core};
+    first = greater;
+  }
+
+  float scale_[3], core_[3];
+};
+
+// f(u) = 1 − 4/9·u⁶ + 17/9·u⁴ − 22/9·u² (Ferley §4.1.1, after Wyvill), as (1 − u²)²·(1 − 4/9·u²),
+// which has no cancellation at the limit.
+struct WyvillProfile {
+  BOZZETTO_KERNEL float operator()(float u2) const {
+    const float rest = 1.0f - u2;
+    const float f = (rest * rest) * (1.0f - (4.0f / 9.0f) * u2);
+    return u2 < 1.0f ? f : 0.0f;
+  }
+};
+
+struct BoxProfile {
+  static constexpr float kCore = 0.7f;
+  BOZZETTO_KERNEL float operator()(float u2) const {
+    const float u = std::sqrt(u2);
+    const float t = (u - kCore) / (1.0f - kCore);
+    const float f = 1.0f - (t * t) * (3.0f - 2.0f * t);
+    const float fall = u <= kCore ? 1.0f : f;
+    return u2 < 1.0f ? fall : 0.0f;
+  }
+};
+
+}  // namespace bozzetto

@@ -1,0 +1,118 @@
+#include "tool/lowpass.hpp"
+
+#include "bozzetto/base/simd.hpp"
+
+namespace bozzetto {
+namespace {
+
+// The block with a rim of one corner all round.
+template <int Side>
+struct Tile {
+  static constexpr int kWide = Side + 2;
+  static constexpr int kCount = kWide * kWide * kWide;
+  alignas(64) float value[kCount];
+  Attributes attributes[kCount];
+};
+
+template <int Side>
+void gatherRow(const Neighbourhood<Side>& blocks, int i, int j, Tile<Side>& tile) {
+  constexpr int wide = Tile<Side>::kWide;
+  const int bi = i == 0 ? 0 : i > Side ? 2 : 1, bj = j == 0 ? 0 : j > Side ? 2 : 1;
+  const int row = (((i - 1) & (Side - 1)) * Side + ((j - 1) & (Side - 1))) * Side;
+  float* value = tile.value + (i * wide + j) * wide;
+  Attributes* attributes = tile.attributes + (i * wide + j) * wide;
+  const auto take = [&](int bk, int from, int to, int count) {
+    const CornerBlock<Side>* block = blocks[(bi * 3 + bj) * 3 + bk];
+    for (int k = 0; k < count; ++k) {
+      value[to + k] = block == nullptr ? 0 : block->value[row + from + k];
+      attributes[to + k] = block == nullptr ? 0 : block->attributes[row + from + k];
+    }
+  };
+  take(0, Side - 1, 0, 1);
+  take(1, 0, 1, Side);
+  take(2, 0, Side + 1, 1);
+}
+
+// (1 2 1) along k, j and i in turn; always in this order, so that all sides agree to the bit.
+template <int Side>
+BOZZETTO_KERNEL void binomialBody(const float* in, float* out) {
+  constexpr int wide = Side + 2;
+  alignas(64) float alongK[wide * wide * Side], alongJ[wide * Side * Side];
+  for (int row = 0; row < wide * wide; ++row)
+    for (int k = 0; k < Side; ++k) {
+      const float* at = in + row * wide + k;
+      alongK[row * Side + k] = (at[0] + at[2]) + 2.0f * at[1];
+    }
+  constexpr int line = Side, plane = Side * Side;
+  for (int i = 0; i < wide; ++i)
+    for (int n = 0; n < plane; ++n) {
+      const float* at = alongK + i * wide * line + n;
+      alongJ[i * plane + n] = (at[0] + at[2 * line]) + 2.0f * at[line];
+    }
+  for (int n = 0; n < Side * plane; ++n) {
+    const float* at = alongJ + n;
+    out[n] = ((at[0] + at[2 * plane]) + 2.0f * at[plane]) * (1.0f / 64.0f);
+  }
+}
+
+struct Colours {
+  Attributes any = 0, every = 0xffffff;
+  bool single() const { return any == 0 || any == every; }
+};
+
+// Which colour bits occur among corners with clay.
+BOZZETTO_KERNEL Colours coloursBody(const float* value, const Attributes* attributes, int count) {
+  Attributes any = 0, every = 0xffffff;
+  for (int n = 0; n < count; ++n) {
+    any |= value[n] > 0 ? attributes[n] & 0xffffff : 0;
+    every &= value[n] > 0 ? attributes[n] : 0xffffff;
+  }
+  return {any, every};
+}
+
+BOZZETTO_KERNEL void premultiplyBody(const float* value, const Attributes* attributes, int shift,
+                                     int count, float* out) {
+  for (int n = 0; n < count; ++n)
+    out[n] = value[n] * static_cast<float>(static_cast<int>(attributes[n] >> shift & 255));
+}
+
+template <int Side>
+BOZZETTO_KERNEL void lowpassBody(const Tile<Side>& tile, LowpassBuffer<Side>& buffer) {
+  constexpr int count = Tile<Side>::kCount;
+  binomialBody<Side>(tile.value, buffer.arrays[0].data());
+  buffer.result = {buffer.arrays[0].data(), {nullptr, nullptr, nullptr}, 0};
+  const Colours colours = coloursBody(tile.value, tile.attributes, count);
+  buffer.result.onlyColour = colours.any;
+  if (colours.single()) return;
+  for (int channel = 0; channel < 3; ++channel) {
+    alignas(64) float premultiplied[count];
+    premultiplyBody(tile.value, tile.attributes, 8 * channel, count, premultiplied);
+    binomialBody<Side>(premultiplied, buffer.arrays[1 + channel].data());
+    buffer.result.premultiplied[channel] = buffer.arrays[1 + channel].data();
+  }
+}
+
+template <int Side>
+BOZZETTO_TARGET_AVX2 void lowpassAvx2(const Tile<Side>& tile, LowpassBuffer<Side>& buffer) {
+  lowpassBody<Side>(tile, buffer);
+}
+
+template <int Side>
+void lowpassPlain(const Tile<Side>& tile, LowpassBuffer<Side>& buffer) {
+  lowpassBody<Side>(tile, buffer);
+}
+
+}  // namespace
+
+template <int Side>
+void lowpass(const Neighbourhood<Side>& blocks, LowpassBuffer<Side>& buffer) {
+  Tile<Side> tile;
+  for (int i = 0; i < Side + 2; ++i)
+    for (int j = 0; j < Side + 2; ++j) gatherRow<Side>(blocks, i, j, tile);
+  hasAvx2() ? lowpassAvx2<Side>(tile, buffer) : lowpassPlain<Side>(tile, buffer);
+}
+
+template void lowpass<1>(const Neighbourhood<1>&, LowpassBuffer<1>&);
+template void lowpass<8>(const Neighbourhood<8>&, LowpassBuffer<8>&);
+
+}  // namespace bozzetto

@@ -1,0 +1,67 @@
+#include "bozzetto/tool/shape.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "bozzetto/base/error.hpp"
+
+namespace bozzetto {
+namespace {
+
+constexpr std::array<std::string_view, 4> kShapes{"ellipsoid", "box", "cylinder", "capsule"};
+constexpr std::array<std::string_view, 2> kProfiles{"wyvill", "box"};
+
+template <class Value, std::size_t Count>
+std::optional<Value> named(const std::array<std::string_view, Count>& names,
+                           std::string_view name) {
+  for (std::size_t n = 0; n < Count; ++n)
+    if (names[n] == name) return static_cast<Value>(n);
+  return std::nullopt;
+}
+
+std::string numberText(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", number);
+  return text;
+}
+
+}  // namespace
+
+std::string_view toText(Shape shape) { return kShapes[static_cast<std::size_t>(shape)]; }
+std::string_view toText(Profile profile) { return kProfiles[static_cast<std::size_t>(profile)]; }
+std::optional<Shape> shapeNamed(std::string_view name) { return named<Shape>(kShapes, name); }
+std::optional<Profile> profileNamed(std::string_view name) {
+  return named<Profile>(kProfiles, name);
+}
+
+glm::dquat normalisedRotation(const glm::dquat& rotation) {
+  const double length = std::sqrt(glm::dot(rotation, rotation));
+  if (!std::isfinite(length) || length < 1e-6 || length > 1e6) {
+    throw Error("rotation: a quaternion of length " + numberText(length) +
+                " found, one that can be normalised expected");
+  }
+  return rotation / length;
+}
+
+FittedTool fitTool(const ToolShape& shape, double spacing) {
+  FittedTool fitted{shape, {}};
+  fitted.shape.rotation = normalisedRotation(shape.rotation);
+  double smallest = shape.radii[0] / spacing;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double cells = shape.radii[axis] / spacing;
+    if (!(cells > 0) || !(cells <= kLargestToolCells)) {
+      throw Error("tool radius: " + numberText(shape.radii[axis]) + " found, a number in 0 < r ≤ " +
+                  numberText(kLargestToolCells * spacing) + " (4096 cells) expected");
+    }
+    smallest = std::fmin(smallest, cells);
+    fitted.shape.radii[axis] = std::fmax(shape.radii[axis], kSmallestToolCells * spacing);
+  }
+  if (smallest < kSmallestToolCells) {
+    fitted.notice = "tool radius of " + numberText(smallest) +
+                    " cells widened to 2: the grid does not sample narrower tools";
+  }
+  return fitted;
+}
+
+}  // namespace bozzetto

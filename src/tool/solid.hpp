@@ -1,0 +1,23 @@
+// A primitive as fill sees it: the values of a block of corners, and how far the surface is.
+#pragma once
+#include <memory>
+
+#include "bozzetto/tool/potential.hpp"
+
+namespace bozzetto {
+
+class Solid {
+ public:
+  virtual ~Solid() = default;
+  /// clamp(½ − distance/2) of the side³ corners from `first`, counted from the frame's cell.
+  virtual void evaluate(Key first, int side, float* value) const = 0;
+  /// Signed distance in cells, negative inside, of a position in cells from the frame's cell.
+  virtual double distance(const glm::dvec3& position) const = 0;
+
+  Key cell;  ///< nearest to the centre
+};
+
+/// `pose.radii` in cells are the surface.
+std::unique_ptr<Solid> makeSolid(Shape shape, const DabPose& pose);
+
+}  // namespace bozzetto

@@ -1,0 +1,139 @@
+#include "bozzetto/tool/stroke.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+
+#include "tool/relative.hpp"
+
+namespace bozzetto {
+namespace {
+
+std::vector<StrokePath::Sample> relativePoints(const Stroke& stroke, Key origin, double spacing) {
+  std::vector<StrokePath::Sample> points;
+  for (const StrokePoint& point : stroke.points) {
+    cellOf(point.position, spacing, "stroke point");
+    if (!(point.pressure >= 0 && point.pressure <= 1)) {
+      throw Error("stroke pressure: " + std::to_string(point.pressure) +
+                  " found, a number in 0…1 expected");
+    }
+    points.push_back({relativeTo(origin, point.position, spacing), point.pressure});
+  }
+  return points;
+}
+
+void requireValid(const Stroke& stroke) {
+  if (stroke.points.empty()) throw Error("stroke: no points found, at least one expected");
+  if (!(stroke.spacing > 0) || !std::isfinite(stroke.spacing)) {
+    throw Error("stroke spacing: " + std::to_string(stroke.spacing) +
+                " found, a number above 0 expected");
+  }
+  requireValid(stroke.symmetry);
+}
+
+double smallest(const glm::dvec3& radii) { return std::min({radii.x, radii.y, radii.z}); }
+
+// In key order, each key once.
+void tidy(std::vector<KeyRun>& runs) {
+  const auto less = [](const KeyRun& a, const KeyRun& b) { return a.key < b.key; };
+  const auto same = [](const KeyRun& a, const KeyRun& b) { return a.key == b.key; };
+  std::sort(runs.begin(), runs.end(), less);
+  runs.erase(std::unique(runs.begin(), runs.end(), same), runs.end());
+}
+
+}  // namespace
+
+template <int Side>
+StrokeRunner<Side>::StrokeRunner(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
+                                 const ToolShape& tool, const ActionOptions& action,
+                                 const Stroke& stroke)
+    : edit_(&edit), walker_(edit), strength_(action.strength), pressure_(stroke.pressure) {
+  requireValid(stroke);
+  const FittedTool fitted = fitTool(tool, scale.spacing);
+  tool_ = fitted.shape;
+  tool_.radii /= scale.spacing;
+  notice_ = fitted.notice;
+  potential_ = makePotential(tool_);
+  action_ = makeAction(action);
+
+  origin_ = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
+  images_ = imagesOf(stroke.symmetry);
+  centre_ = relativeTo(origin_, stroke.symmetry.centre, scale.spacing);
+  const auto points = relativePoints(stroke, origin_, scale.spacing);
+  requireRoom(points);
+  path_.emplace(points, stroke.spacing * smallest(tool_.radii));
+  const double count = path_->count();
+  if (!(count * static_cast<double>(images_.size()) <= static_cast<double>(kMostDabs))) {
+    throw Error("stroke: " + std::to_string(count) + " dabs × " + std::to_string(images_.size()) +
+                " images found, at most 10 million expected");
+  }
+  count_ = static_cast<std::int64_t>(count);
+}
+
+// Dabs between points lie between their boxes.
+template <int Side>
+void StrokeRunner<Side>::requireRoom(const std::vector<StrokePath::Sample>& points) const {
+  for (const StrokePath::Sample& point : points)
+    for (const DabPose& pose : imagesOf(poseAt({point.position, 1}), tool_.shape, images_, centre_))
+      dabBox(pose);
+}
+
+template <int Side>
+ToolShape StrokeRunner<Side>::sized(double pressure) const {
+  ToolShape shape = tool_;
+  if (pressure_.size) shape.radii = glm::max(tool_.radii * pressure, kSmallestToolCells);
+  return shape;
+}
+
+template <int Side>
+DabPose StrokeRunner<Side>::poseAt(const StrokePath::Sample& sample) const {
+  return {origin_, sample.position, glm::mat3_cast(tool_.rotation), sized(sample.pressure).radii};
+}
+
+template <int Side>
+DabReport StrokeRunner<Side>::dab(std::int64_t n) {
+  DabReport report;
+  const StrokePath::Sample sample = path_->at(n);
+  const double strength = pressure_.strength ? strength_ * sample.pressure : strength_;
+  if (strength <= 0 || (pressure_.size && sample.pressure <= 0)) return report;
+  if (pressure_.size) potential_ = makePotential(sized(sample.pressure));
+  try {
+    for (const DabPose& pose : imagesOf(poseAt(sample), tool_.shape, images_, centre_)) {
+      walker_.apply({pose, potential_.get(), action_.get(), static_cast<float>(strength)}, report);
+    }
+  } catch (...) {
+    edit_->rollback();
+    throw;
+  }
+  return report;
+}
+
+template <int Side>
+void StrokeRunner<Side>::step(Progress& progress, std::int64_t n) {
+  try {
+    progress.step("stroke", static_cast<double>(n + 1) / static_cast<double>(count_));
+  } catch (...) {
+    edit_->rollback();
+    throw;
+  }
+}
+
+template class StrokeRunner<1>;
+template class StrokeRunner<8>;
+
+template <int Side>
+StrokeReport applyStroke(StrokeRunner<Side>& runner, Progress& progress) {
+  StrokeReport report{runner.dabCount(), {}, runner.notice()};
+  for (std::int64_t n = 0; n < report.dabs; ++n) {
+    report.total.add(runner.dab(n));
+    if (report.total.changed.size() > std::size_t{1} << 20) tidy(report.total.changed);
+    runner.step(progress, n);
+  }
+  tidy(report.total.changed);
+  return report;
+}
+
+template StrokeReport applyStroke(StrokeRunner<1>&, Progress&);
+template StrokeReport applyStroke(StrokeRunner<8>&, Progress&);
+
+}  // namespace bozzetto
