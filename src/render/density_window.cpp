@@ -17,9 +17,9 @@ int floorShift(std::int32_t value, int shift) { return value >> shift; }
 
 }  // namespace
 
-DensityWindow::DensityWindow(const OcclusionPyramid& pyramid, const KeyBox& cells, int finest)
+DensityWindow::DensityWindow(const OcclusionVolume& volume, const KeyBox& cells, int finest)
     : finest_(finest) {
-  for (int n = finest; n < OcclusionPyramid::kLevels; ++n) {
+  for (int n = finest; n < OcclusionVolume::kLevels; ++n) {
     const Key low{floorShift(cells.low.i, n) - kMargin, floorShift(cells.low.j, n) - kMargin,
                   floorShift(cells.low.k, n) - kMargin};
     const Key high{floorShift(cells.high.i, n) + kMargin, floorShift(cells.high.j, n) + kMargin,
@@ -33,7 +33,7 @@ DensityWindow::DensityWindow(const OcclusionPyramid& pyramid, const KeyBox& cell
     }
     level.texelsPerCell = 1 / size;
     level.texels.resize(std::size_t(level.count.x) * level.count.y * level.count.z);
-    pyramid.read(n, {low, high}, level.texels);
+    volume.read(n, {low, high}, level.texels);
   }
 }
 
@@ -56,7 +56,7 @@ float DensityWindow::Level::sample(glm::vec3 p) const {
 }
 
 float DensityWindow::sample(glm::vec3 p, float level) const {
-  level = std::clamp(level, float(finest_), float(OcclusionPyramid::kLevels) - 1.001f);
+  level = std::clamp(level, float(finest_), float(OcclusionVolume::kLevels) - 1.001f);
   const int n = int(level);
   const float f = level - float(n), fine = levels_[std::size_t(n)].sample(p);
   if (f < 1e-3f) return fine;

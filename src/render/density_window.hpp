@@ -1,6 +1,7 @@
 // A dense copy of what the cones of one neighbourhood can reach in every level of the pyramid:
 // ten thousand samples then cost no tree look-ups.
 #pragma once
+#include <array>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace bozzetto {
 class DensityWindow {
  public:
   /// Around `cells`, as far as samples of `visibility` go from inside it; levels from `finest` up.
-  DensityWindow(const OcclusionPyramid& pyramid, const KeyBox& cells, int finest = 0);
+  DensityWindow(const OcclusionVolume& volume, const KeyBox& cells, int finest = 0);
 
   /// Occupancy at `p` (cells from the box's low corner), between two levels; 0 beyond the window.
   float sample(glm::vec3 p, float level) const;
@@ -26,7 +27,7 @@ class DensityWindow {
     float sample(glm::vec3 p) const;
   };
 
-  std::array<Level, OcclusionPyramid::kLevels> levels_;
+  std::array<Level, OcclusionVolume::kLevels> levels_;
   int finest_;
 };
 

@@ -76,7 +76,7 @@ Slice sliceAt(int n) {
   return slice;
 }
 
-Frame makeFrame(const Shot& shot, const Slice& slice, double dither) {
+Frame makeFrame(const Shot& shot, const Look& look, const Slice& slice) {
   Frame frame;
   const Camera& camera = shot.camera;
   const Stage& stage = shot.stage;
@@ -95,6 +95,7 @@ Frame makeFrame(const Shot& shot, const Slice& slice, double dither) {
 
   const double scale = projection[1][1] * shot.height / 2;
   const glm::dvec3 floor = glm::dvec3(stage.centre.x, stage.floor, stage.centre.z) - anchor;
+  const float cast = look.detail == Detail::full ? 1 : 0;
   FrameBlock& block = frame.block;
   block.clipFromCells = glm::translate(glm::dmat4(1), jitter) * projection * view;
   block.viewFromCells = view;
@@ -102,8 +103,8 @@ Frame makeFrame(const Shot& shot, const Slice& slice, double dither) {
   block.worldFromView = glm::dmat4(axes);
   block.viewport = glm::vec4(shot.width, shot.height, .5, kBackgroundHeight);
   block.stage =
-      glm::vec4(stage.unit, dither, camera.projection == Projection::perspective, slice.index);
-  block.shadowing = slice.one ? glm::vec4(.0085, .030, 1, 0) : glm::vec4(.0045, .010, 1, 0);
+      glm::vec4(stage.unit, look.dither, camera.projection == Projection::perspective, slice.index);
+  block.shadowing = slice.one ? glm::vec4(.0085, .030, cast, 16) : glm::vec4(.0045, .010, cast, 4);
   block.floorPlane = glm::vec4(floor, kFloorHalf * stage.unit);
   block.extra = glm::vec4(FloorOcclusion::kHalfUnits * stage.unit, frame.eyeAboveFloor, scale, 0);
   return frame;

@@ -31,6 +31,6 @@ struct Frame {
   FrameBlock block;
   bool eyeAboveFloor = true;
 };
-Frame makeFrame(const Shot& shot, const Slice& slice, double dither);
+Frame makeFrame(const Shot& shot, const Look& look, const Slice& slice);
 
 }  // namespace bozzetto

@@ -66,6 +66,24 @@ struct TextureFormat {
 Texture newTexture(const TextureFormat& format);
 void bindTexture(int unit, const Texture& texture);
 
+/// The framebuffer and the viewport that are set now are set again at the end of the scope.
+class KeepTarget {
+ public:
+  KeepTarget() {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
+    glGetIntegerv(GL_VIEWPORT, viewport_);
+  }
+  KeepTarget(const KeepTarget&) = delete;
+  KeepTarget& operator=(const KeepTarget&) = delete;
+  ~KeepTarget() {
+    glBindFramebuffer(GL_FRAMEBUFFER, GLuint(framebuffer_));
+    glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+  }
+
+ private:
+  GLint framebuffer_ = 0, viewport_[4] = {};
+};
+
 /// A shader program from .glsl files: the names of the parts, in order, without extension.
 class Program {
  public:

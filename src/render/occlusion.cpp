@@ -68,7 +68,7 @@ vec3 offset(Key from, Key to) {
 
 }  // namespace
 
-std::vector<std::vector<VertexLight>> lightOf(const OcclusionPyramid& pyramid,
+std::vector<std::vector<VertexLight>> lightOf(const OcclusionVolume& volume,
                                               std::span<const PatchVertices> patches,
                                               double reach) {
   std::map<Key, std::vector<std::size_t>> regions;
@@ -81,7 +81,7 @@ std::vector<std::vector<VertexLight>> lightOf(const OcclusionPyramid& pyramid,
     for (std::size_t job = begin; job < end; ++job) {
       const Key low = jobs[job].first * (1 << kRegionShift);
       constexpr std::int32_t last = (1 << kRegionShift) - 1;
-      const DensityWindow window(pyramid, {low, low + Key{last, last, last}});
+      const DensityWindow window(volume, {low, low + Key{last, last, last}});
       for (const std::size_t n : jobs[job].second) {
         const PatchVertices& patch = patches[n];
         const vec3 corner = offset(low, patch.origin);
@@ -98,19 +98,19 @@ std::vector<std::vector<VertexLight>> lightOf(const OcclusionPyramid& pyramid,
 
 // Seven cones upwards per texel, through one window over the whole clay at the level whose texels
 // are about as large as the map's.
-FloorOcclusion floorOcclusion(const OcclusionPyramid& pyramid, const Stage& stage,
+FloorOcclusion floorOcclusion(const OcclusionVolume& volume, const Stage& stage,
                               const CellBounds& clay) {
   FloorOcclusion floor;
   if (clay.empty()) return floor;
   constexpr int side = FloorOcclusion::kSide;
   const double span = FloorOcclusion::kHalfUnits * stage.unit;
   const double texel = 2 * span / side;
-  const int finest = std::clamp(int(std::log2(texel)), 0, OcclusionPyramid::kLevels - 2);
+  const int finest = std::clamp(int(std::log2(texel)), 0, OcclusionVolume::kLevels - 2);
   const Key low{std::int32_t(std::floor(clay.low.x)), std::int32_t(std::floor(clay.low.y)),
                 std::int32_t(std::floor(clay.low.z))};
   const Key high{std::int32_t(std::ceil(clay.high.x)), std::int32_t(std::ceil(clay.high.y)),
                  std::int32_t(std::ceil(clay.high.z))};
-  const DensityWindow window(pyramid, {low, high}, finest);
+  const DensityWindow window(volume, {low, high}, finest);
   const Hemisphere up(vec3(0, 1, 0));
   floor.texels.resize(std::size_t(side) * side);
   parallelFor(side, 4, [&](std::size_t begin, std::size_t end) {

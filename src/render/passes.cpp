@@ -5,24 +5,6 @@
 namespace bozzetto {
 namespace {
 
-// The framebuffer and the viewport that were set are set again at the end.
-class KeepTarget {
- public:
-  KeepTarget() {
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
-    glGetIntegerv(GL_VIEWPORT, viewport_);
-  }
-  KeepTarget(const KeepTarget&) = delete;
-  KeepTarget& operator=(const KeepTarget&) = delete;
-  ~KeepTarget() {
-    glBindFramebuffer(GL_FRAMEBUFFER, GLuint(framebuffer_));
-    glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
-  }
-
- private:
-  GLint framebuffer_ = 0, viewport_[4] = {};
-};
-
 // On during a scope, off after it.
 class Enabled {
  public:
@@ -88,7 +70,7 @@ void Renderer::Impl::bindStudio(const Look& look) {
 const gl::Texture& Renderer::Impl::bakedBall(const Look& look) {
   gl::Texture& ball = bakedBalls[look.mode];
   if (ball) return ball;
-  const KeepTarget keep;
+  const gl::KeepTarget keep;
   Target target(GL_RGBA8, 256, 256, Target::Depth::none);
   target.bind();
   drawTriangle(programs.bake);
@@ -112,7 +94,7 @@ void Renderer::Impl::bindMatcap(const Look& look) {
 }
 
 void Renderer::Impl::drawShadowMap(const Frame& frame) {
-  const KeepTarget keep;
+  const gl::KeepTarget keep;
   glBindFramebuffer(GL_FRAMEBUFFER, shadow.framebuffer.get());
   glViewport(0, 0, ShadowMap::kSide, ShadowMap::kSide);
   glClear(GL_DEPTH_BUFFER_BIT);
@@ -184,7 +166,7 @@ void Renderer::Impl::drawWire(const Frame& frame) {
 }
 
 void Renderer::Impl::drawFrame(const Shot& shot, const Look& look, const Slice& at) {
-  const Frame frame = makeFrame(shot, at, look.dither);
+  const Frame frame = makeFrame(shot, look, at);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);

@@ -1,6 +1,6 @@
 #include "bozzetto/render/renderer.hpp"
 
-#include <algorithm>
+#include <cassert>
 #include <string>
 
 #include "bozzetto/base/error.hpp"
@@ -9,14 +9,7 @@
 namespace bozzetto {
 namespace {
 
-constexpr int kSmallest = 16, kLargest = 8192, kMostSlices = 64;
-
-void requireSize(const Shot& shot) {
-  const auto within = [](int v) { return kSmallest <= v && v <= kLargest; };
-  if (within(shot.width) && within(shot.height)) return;
-  throw Error("picture size: " + std::to_string(shot.width) + "x" + std::to_string(shot.height) +
-              " found, 16 to 8192 pixels a side expected");
-}
+constexpr int kSmallest = 16, kLargest = 8192;
 
 // GL's first row is the lowest.
 Image readPixels(const Target& target) {
@@ -32,6 +25,13 @@ Image readPixels(const Target& target) {
 }
 
 }  // namespace
+
+void requireSize(const Shot& shot) {
+  const auto within = [](int v) { return kSmallest <= v && v <= kLargest; };
+  if (within(shot.width) && within(shot.height)) return;
+  throw Error("picture size: " + std::to_string(shot.width) + "x" + std::to_string(shot.height) +
+              " found, 16 to 8192 pixels a side expected");
+}
 
 Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
 Renderer::~Renderer() = default;
@@ -69,8 +69,7 @@ void Renderer::Impl::prepareSum(const Shot& shot) {
 
 void Renderer::addSlice(const Shot& shot, const Look& look) {
   requireSize(shot);
-  GLint outside = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &outside);
+  const gl::KeepTarget keep;
   Impl& r = *impl_;
   r.prepareSum(shot);
   r.slice->bind();
@@ -84,7 +83,6 @@ void Renderer::addSlice(const Shot& shot, const Look& look) {
   r.drawTriangle(r.programs.copy);
   glDisable(GL_BLEND);
   ++r.slices;
-  glBindFramebuffer(GL_FRAMEBUFFER, GLuint(outside));
   gl::check("drawing a slice");
 }
 
@@ -99,14 +97,12 @@ void Renderer::showSlices(const Shot& shot) {
   impl_->drawTriangle(impl_->programs.copy);
 }
 
-Image Renderer::picture(const Shot& shot, const Look& look, int slices) {
-  restart();
-  for (int n = std::clamp(slices, 1, kMostSlices); n > 0; --n) addSlice(shot, look);
+Image Renderer::mean(const Shot& shot) {
+  assert(impl_->slices > 0);
+  const gl::KeepTarget keep;
   impl_->slice->bind();
   showSlices(shot);
   Image image = readPixels(*impl_->slice);
-  restart();
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
   gl::check("reading the picture");
   return image;
 }

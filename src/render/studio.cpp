@@ -19,7 +19,7 @@ Material materialOf(const Look& look) {
     case Mode::metal:
       m.roughness = look.metal == Metal::chrome ? .10f : .22f;
       m.tint = look.metal == Metal::chrome ? glm::vec4(1, .98f, .96f, 0)
-                                           : glm::vec4(1.25f, .86f, .56f, 0);
+                                           : glm::vec4(1.15f, .72f, .42f, 0);
       break;
     case Mode::glass:
       m.roughness = .06f;

@@ -9,7 +9,7 @@
 
 namespace bozzetto {
 
-/// How light reaches a vertex; see OcclusionPyramid.
+/// How light reaches a vertex; see OcclusionVolume.
 struct VertexLight {
   glm::vec3 bent{0, 0, 0};  ///< mean unoccluded direction, length 1; 0 = the normal
   float open = 1;           ///< 1 in the open … 0 walled in

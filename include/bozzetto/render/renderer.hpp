@@ -18,6 +18,9 @@ struct Shot {
   int width = 1280, height = 960;  ///< pixels, 16…8192
 };
 
+/// Throws Error unless width and height are within their limits.
+void requireSize(const Shot& shot);
+
 class Renderer {
  public:
   Renderer();
@@ -44,8 +47,8 @@ class Renderer {
   void showSlices(const Shot& shot);
   int sliceCount() const;
 
-  /// A still of `slices` slices (1…64). Restarts before and after.
-  Image picture(const Shot& shot, const Look& look, int slices);
+  /// The mean of the slices, read back. Needs one slice at least.
+  Image mean(const Shot& shot);
 
  private:
   struct Impl;

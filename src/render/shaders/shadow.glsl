@@ -1,4 +1,5 @@
-// The key's shadow: 16 taps of a depth map, turned by the noise of the pixel.
+// The key's shadow: taps of a depth map, turned by the noise of the pixel: 16 in a single frame,
+// four in a slice, which adds to what other slices see of other lights.
 uniform sampler2DShadow shadowMap;
 
 const vec2 kTaps[16] = vec2[16](
@@ -12,9 +13,11 @@ float keyReaches(vec3 at, float radius, float bias) {
   float angle = noise(gl_FragCoord.xy) * 6.2831853;
   mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
   float sum = 0.;
-  for (int i = 0; i < 16; ++i) {
+  int count = int(shadowing.w), first = int(stage.w) * count;
+  for (int n = first; n < first + count; ++n) {
+    int i = n & 15;
     vec2 offset = turn * kTaps[i] * radius * (.35 + float(i) * .045);
     sum += texture(shadowMap, vec3(p.xy + offset, p.z - bias));
   }
-  return mix(1., sum / 16., shadowing.z);
+  return mix(1., sum / shadowing.w, shadowing.z);
 }

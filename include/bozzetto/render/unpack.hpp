@@ -1,0 +1,28 @@
+// Patches of a surface as the renderer takes them.
+#pragma once
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "bozzetto/render/camera.hpp"
+#include "bozzetto/render/patch.hpp"
+#include "bozzetto/surface/patch.hpp"
+
+namespace bozzetto {
+
+/// A surface patch in arrays of its own. `light` starts empty.
+struct UnpackedPatch {
+  Key origin;
+  std::vector<glm::vec3> positions, normals;
+  std::vector<Colour> colours;
+  std::vector<std::uint16_t> indices;
+  std::vector<VertexLight> light;
+
+  /// `firstCorner` is the block's first corner, in cells.
+  UnpackedPatch(Key firstCorner, const SurfacePatch& patch);
+
+  PatchVertices view() const { return {origin, positions, normals, colours, indices, light}; }
+  /// Of the vertices, in cells.
+  CellBounds bounds() const;
+};
+
+}  // namespace bozzetto
