@@ -8,8 +8,9 @@ namespace bozzetto {
 namespace {
 
 constexpr int kSide = BlockKernel::kSide, kCount = BlockKernel::kCount;
-constexpr double kReach = 1;          // half the slope, in cells
-constexpr double kFarSquared = 1e30;  // no triangle within the slope
+constexpr double kReach = 1;                // half the slope, in cells
+constexpr double kFarSquared = 1e30;        // no triangle within the slope
+constexpr double kOnSurfaceSquared = 1e-6;  // a thousandth of a cell: no side to speak of
 constexpr std::uint32_t kNone = ~0u;
 constexpr int kApron = kSide + 2;  // corners of the block and one more on every side
 
@@ -39,7 +40,7 @@ bool BlockKernel::fill(const BlockTask& given, CornerBlock<8>& out) {
   findNearest(task, Sheets::all);
   toHole_.fill(kReach);
   if (task.kind == BlockKind::sheets) findInsideByRegions(task);
-  if (task.kind == BlockKind::holes) findInsideEverywhere(task);
+  if (task.kind == BlockKind::holes) findInsideEverywhere();
   // Where bodies overlap, triangles inside the clay are not its surface.
   if (contradictsWinding()) findNearest(task, Sheets::surfaceOnly);
 
@@ -103,13 +104,14 @@ void BlockKernel::findInsideByRegions(BlockTask& task) {
   seen_.fill(0);
   for (int start = 0; start < kCount; ++start) {
     if (seen_[start] != 0) continue;
-    growRegion(start, 1);
+    growRegion(start);
     const int speaker = *std::max_element(region_.begin(), region_.end(), [&](int a, int b) {
       return squared_[a] != squared_[b] ? squared_[a] < squared_[b] : a > b;
     });
     const double winding = winding_.at(placeOf(speaker));
-    // Neither in nor out: a hole is near.
-    if (std::abs(winding - std::round(winding)) > 0.25) {
+    // Neither in nor out, and not on a triangle: a hole is near.
+    const bool open = !grid_.openEdges.empty() && squared_[speaker] > kOnSurfaceSquared;
+    if (open && std::abs(winding - std::round(winding)) > 0.25) {
       task.kind = BlockKind::holes;
       return;
     }
@@ -117,10 +119,10 @@ void BlockKernel::findInsideByRegions(BlockTask& task) {
   }
 }
 
-void BlockKernel::growRegion(int start, std::uint8_t label) {
+void BlockKernel::growRegion(int start) {
   static const std::array<double, 4> lengths{0, 1, std::sqrt(2.0), std::sqrt(3.0)};
   region_.assign(1, start);
-  seen_[start] = label;
+  seen_[start] = 1;
   for (std::size_t done = 0; done < region_.size(); ++done) {
     const int corner = region_[done];
     const int i = corner / (kSide * kSide), j = corner / kSide % kSide, k = corner % kSide;
@@ -132,7 +134,7 @@ void BlockKernel::growRegion(int start, std::uint8_t label) {
           if (seen_[other] != 0) continue;
           const double length = lengths[std::abs(di) + std::abs(dj) + std::abs(dk)];
           if (own + distanceOf(squared_[other]) <= length * (1 + 1e-9)) continue;
-          seen_[other] = label;
+          seen_[other] = 1;
           region_.push_back(other);
         }
       }
@@ -142,7 +144,7 @@ void BlockKernel::growRegion(int start, std::uint8_t label) {
 
 // Winding numbers of the block and its apron; where they pass ½ smoothly, without a triangle, the
 // distance to that level is (w - ½)/|∇w|.
-void BlockKernel::findInsideEverywhere(const BlockTask&) {
+void BlockKernel::findInsideEverywhere() {
   winds_.resize(kApron * kApron * kApron);
   for (int i = -1; i <= kSide; ++i) {
     for (int j = -1; j <= kSide; ++j) {
@@ -180,7 +182,7 @@ bool BlockKernel::contradictsWinding() const {
   for (int corner = 0; corner < kCount; ++corner) {
     if (nearest_[corner] == kNone) continue;
     const NearestPoint nearest{squared_[corner], u_[corner], v_[corner]};
-    if (!nearest.onFace() || nearest.squared < 1e-12) continue;
+    if (!nearest.onFace() || nearest.squared < kOnSurfaceSquared) continue;
     const bool front = grid_.triangles[nearest_[corner]].isFrontOf(placeOf(corner));
     if (front == (inside_[corner] != 0)) return true;
   }

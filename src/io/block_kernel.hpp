@@ -41,8 +41,8 @@ class BlockKernel {
   void visitTriangle(std::uint32_t number, Sheets sheets);
   bool isSurface(const DistanceTriangle& triangle, const NearestPoint& nearest) const;
   void findInsideByRegions(BlockTask& task);
-  void findInsideEverywhere(const BlockTask& task);
-  void growRegion(int start, std::uint8_t label);
+  void findInsideEverywhere();
+  void growRegion(int start);
   bool contradictsWinding() const;
   float valueAt(int corner) const;
   Colour colourAt(int corner) const;
