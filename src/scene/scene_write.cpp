@@ -1,0 +1,150 @@
+#include "scene/scene_write.hpp"
+
+#include <algorithm>
+
+#include "bozzetto/base/parallel.hpp"
+#include "scene/layout.hpp"
+#include "scene/page_check.hpp"
+#include "scene/parts_codec.hpp"
+#include "scene/tiles.hpp"
+
+namespace bozzetto {
+namespace {
+
+constexpr std::size_t kBatch = 128;  // chunks in memory at a time
+
+// Rolls back what was not committed.
+class Transaction {
+ public:
+  explicit Transaction(Database& database) : database_(database) {
+    database_.run("BEGIN IMMEDIATE");
+  }
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  ~Transaction() {
+    if (!done_) sqlite3_exec(database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+  }
+  void commit() {
+    database_.run("COMMIT");
+    done_ = true;
+  }
+
+ private:
+  Database& database_;
+  bool done_ = false;
+};
+
+class RowWriter {
+ public:
+  RowWriter(Database& database, Table table)
+      : table_(table),
+        put_(database, ("REPLACE INTO " + std::string(nameOf(table)) + " VALUES(?, ?, ?)").c_str()),
+        erase_(database, ("DELETE FROM " + std::string(nameOf(table)) + " WHERE id = ?").c_str()) {}
+
+  std::size_t put(std::int64_t id, std::span<const std::byte> content) {
+    put_.bind(0, id).bind(1, rowHash(table_, id, content)).bind(2, content).run();
+    return content.size();
+  }
+  void erase(std::int64_t id) { erase_.bind(0, id).run(); }
+
+ private:
+  Table table_;
+  Statement put_, erase_;
+};
+
+// Decoding is the proof that what we write can be read.
+std::size_t writeParts(Database& database, const Document& document) {
+  const SceneParts& parts = document.parts;
+  const std::string& name = database.name();
+  RowWriter rows(database, Table::parts);
+  const Bytes head = encodeHead({document.field.scale, parts.identity, parts.settings});
+  const Bytes view = encodeView(parts.view);
+  decodeHead(head, name + ": cannot save settings");
+  decodeView(view, name + ": cannot save view");
+  std::size_t bytes = rows.put(static_cast<std::int64_t>(Part::head), head);
+  bytes += rows.put(static_cast<std::int64_t>(Part::view), view);
+  bytes += rows.put(static_cast<std::int64_t>(Part::thumbnail),
+                    checkedThumbnail(parts.thumbnail, name + ": cannot save thumbnail"));
+  database.run("DELETE FROM shelf");
+  RowWriter shelf(database, Table::shelf);
+  for (std::size_t n = 0; n < parts.shelf.size(); ++n) {
+    const Bytes item = encodeItem(parts.shelf[n]);
+    decodeItem(item, name + ": cannot save shelf item " + std::to_string(n + 1));
+    bytes += shelf.put(static_cast<std::int64_t>(n) + 1, item);
+  }
+  return bytes;
+}
+
+// Chunks are encoded on threads, batch by batch; SQLite stays on this one.
+void writeChunks(Database& database, const Document& document, const std::vector<Key>& tiles,
+                 std::map<Key, std::int64_t>& rows, SaveReport& report, Progress& progress) {
+  RowWriter writer(database, Table::chunks);
+  std::int64_t last = 0;
+  for (const auto& [tile, row] : rows) last = std::max(last, row);
+  std::vector<Bytes> encoded(kBatch);
+  for (std::size_t first = 0; first < tiles.size(); first += kBatch) {
+    progress.step("save", static_cast<double>(first) / static_cast<double>(tiles.size()));
+    const std::size_t count = std::min(kBatch, tiles.size() - first);
+    parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        const Chunk chunk = chunkAt(document.field.tree, tiles[first + n]);
+        encoded[n] = chunk.runs.empty() ? Bytes() : encodeChunk(chunk);
+      }
+    });
+    for (std::size_t n = 0; n < count; ++n) {
+      const auto row = rows.find(tiles[first + n]);
+      if (encoded[n].empty()) {
+        if (row != rows.end()) writer.erase(row->second);
+        if (row != rows.end()) rows.erase(row);
+        continue;
+      }
+      const std::int64_t id = row != rows.end() ? row->second : ++last;
+      rows[tiles[first + n]] = id;
+      report.bytesWritten += writer.put(id, encoded[n]);
+      ++report.chunksWritten;
+    }
+  }
+}
+
+void writeDigest(Database& database) {
+  ByteWriter list;
+  for (const Table table : kTables) {
+    Statement rows(database,
+                   ("SELECT id, hash FROM " + std::string(nameOf(table)) + " ORDER BY id").c_str());
+    while (rows.step()) {
+      list.put(static_cast<std::uint8_t>(table));
+      list.put(rows.number(0));
+      list.put(rows.number(1));
+    }
+  }
+  Statement digest(database, "REPLACE INTO digest VALUES(1, ?)");
+  digest.bind(0, static_cast<std::int64_t>(hash64(list.bytes()))).run();
+}
+
+}  // namespace
+
+void makeTables(Database& database) {
+  database.run(("PRAGMA page_size=" + std::to_string(kPageBytes)).c_str());
+  int reserved = static_cast<int>(kPageCheckBytes);
+  sqlite3_file_control(database.get(), "main", SQLITE_FCNTL_RESERVE_BYTES, &reserved);
+  database.run(("PRAGMA application_id=" + std::to_string(kApplicationId)).c_str());
+  database.run(("PRAGMA user_version=" + std::to_string(kFormatVersion)).c_str());
+  for (const TableText& table : kTableTexts) database.run(table.create);
+}
+
+SaveReport writeScene(Database& database, const Document& document, const TileChanges& changes,
+                      std::map<Key, std::int64_t>& rows, Progress& progress) {
+  SaveReport report;
+  std::map<Key, std::int64_t> newRows = rows;
+  Transaction transaction(database);
+  if (changes.parts) report.bytesWritten += writeParts(database, document);
+  writeChunks(database, document, changes.written, newRows, report, progress);
+  writeDigest(database);
+  progress.step("save", 1);
+  transaction.commit();
+  rows = std::move(newRows);
+  report.chunks = rows.size();
+  return report;
+}
+
+}  // namespace bozzetto
