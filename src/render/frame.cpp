@@ -19,9 +19,26 @@ constexpr glm::dvec2 kKeyBoxHalf(.40, .30);  // tangent units, as in environment
 constexpr double kBoxUsed = .55;
 constexpr double kBackgroundHeight = .52;  // where the paper roll is brightest
 
-std::int32_t nearestLatticePoint(double cells) {
-  const double rim = double(kWorkspaceRim);
-  return std::int32_t(std::lround(std::clamp(cells, -rim, rim)));
+// The corner next to `cells`, counted from `base`; inside the workspace.
+Key latticePoint(const glm::dvec3& cells, Key base = {}) {
+  Key corner;
+  for (const Axis axis : kAxes) {
+    const double low = -double(kWorkspaceRim) - base[axis],
+                 high = double(kWorkspaceRim) - base[axis];
+    corner[axis] = std::int32_t(std::lround(std::clamp(cells[index(axis)], low, high)));
+  }
+  return corner;
+}
+
+glm::dvec3 place(Key corner) { return {corner.i, corner.j, corner.k}; }
+
+// The shot counted from the lattice point next to the camera's target: exact, and from there on
+// small numbers, the same wherever in the workspace the clay stands.
+Shot countedFrom(Key base, Shot shot) {
+  shot.camera.target -= place(base);
+  shot.stage.centre -= place(base);
+  shot.stage.floor -= base.j;
+  return shot;
 }
 
 glm::dmat4 projectionOf(const Shot& shot, double depth) {
@@ -76,15 +93,17 @@ Slice sliceAt(int n) {
   return slice;
 }
 
-Frame makeFrame(const Shot& shot, const Look& look, const Slice& slice) {
-  Frame frame;
+Frame makeFrame(const Shot& anywhere, const Look& look, const Slice& slice) {
+  const Key base = latticePoint(anywhere.camera.target);
+  const Shot shot = countedFrom(base, anywhere);
   const Camera& camera = shot.camera;
   const Stage& stage = shot.stage;
   const glm::dmat3 axes = camera.worldFromView();
   const glm::dvec3 eye = camera.eye();
-  frame.anchor = {nearestLatticePoint(eye.x), nearestLatticePoint(eye.y),
-                  nearestLatticePoint(eye.z)};
-  const glm::dvec3 anchor(frame.anchor.i, frame.anchor.j, frame.anchor.k);
+  const Key localAnchor = latticePoint(eye, base);
+  const glm::dvec3 anchor = place(localAnchor);
+  Frame frame;
+  frame.anchor = base + localAnchor;
   frame.eyeAboveFloor =
       camera.projection == Projection::perspective ? eye.y > stage.floor : axes[2].y >= 0;
 
@@ -95,7 +114,7 @@ Frame makeFrame(const Shot& shot, const Look& look, const Slice& slice) {
 
   const double scale = projection[1][1] * shot.height / 2;
   const glm::dvec3 floor = glm::dvec3(stage.centre.x, stage.floor, stage.centre.z) - anchor;
-  const float cast = look.detail == Detail::full ? 1 : 0;
+  const float cast = look.detail == Detail::baked ? 0 : look.mode == Mode::glass ? .55f : 1;
   FrameBlock& block = frame.block;
   block.clipFromCells = glm::translate(glm::dmat4(1), jitter) * projection * view;
   block.viewFromCells = view;

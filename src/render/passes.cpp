@@ -159,7 +159,7 @@ void Renderer::Impl::drawWire(const Frame& frame) {
   glDepthMask(GL_FALSE);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   programs.wire.use();
-  programs.wire.set("ink", glm::vec4(.10f, .16f, .28f, .75f));
+  programs.wire.set("ink", glm::vec4(.10f, .16f, .28f, .62f));
   patches.draw(programs.wire, frame.anchor);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDepthMask(GL_TRUE);

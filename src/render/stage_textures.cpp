@@ -30,7 +30,7 @@ ShadowMap::ShadowMap()
 }
 
 gl::Texture reflectionTexture() {
-  const SphereMap map = reflectionMap();
+  static const SphereMap map = reflectionMap();  // 0.2 s once, not per renderer
   gl::Texture texture =
       gl::newTexture({GL_RGBA16F, SphereMap::kSide, SphereMap::kSide, gl::Filter::mipmaps});
   for (int n = 0; n < SphereMap::kLevels; ++n) {

@@ -1,0 +1,108 @@
+#include "bozzetto/render/renderer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bozzetto/render/offscreen.hpp"
+#include "bozzetto/render/unpack.hpp"
+#include "scenes.hpp"
+
+namespace bozzetto {
+namespace {
+
+using namespace test;
+
+struct Loaded {
+  Scene scene = sceneOf(head());
+  std::vector<UnpackedPatch> patches;
+  CellBounds bounds;
+
+  Loaded() {
+    for (const auto& [block, run] : scene.surface.patches()) {
+      patches.emplace_back(block * 8, *run.block);
+      bounds.add(patches.back().bounds());
+    }
+  }
+  Shot shot() const {
+    Shot shot;
+    shot.width = 128;
+    shot.height = 96;
+    shot.stage = Stage::around(bounds);
+    shot.camera = framed({&bounds, 1}, {});
+    return shot;
+  }
+};
+
+const Loaded& theHead() {
+  static const Loaded loaded;
+  return loaded;
+}
+
+Image still(Renderer& renderer, const Shot& shot) {
+  renderer.restart();
+  for (int n = 0; n < 2; ++n) renderer.addSlice(shot, {});
+  return renderer.mean(shot);
+}
+
+TEST(Renderer, PatchesComeAndGo) {
+  const Loaded& loaded = theHead();
+  const OffscreenContext context;
+  Renderer renderer;
+  const Image empty = still(renderer, loaded.shot());
+  for (const UnpackedPatch& patch : loaded.patches) renderer.uploadPatch(patch.view());
+  EXPECT_EQ(renderer.triangleCount(), std::size_t(loaded.scene.surface.totals().triangles));
+  const Image whole = still(renderer, loaded.shot());
+  EXPECT_NE(whole.pixels, empty.pixels);
+
+  // Every second patch away and back again, in another order, changes nothing.
+  for (std::size_t n = 0; n < loaded.patches.size(); n += 2) {
+    renderer.removePatch(loaded.patches[n].origin);
+  }
+  EXPECT_NE(still(renderer, loaded.shot()).pixels, whole.pixels);
+  for (std::size_t n = loaded.patches.size(); n-- > 0;) {
+    renderer.uploadPatch(loaded.patches[n].view());
+  }
+  EXPECT_EQ(still(renderer, loaded.shot()).pixels, whole.pixels);
+
+  for (const UnpackedPatch& patch : loaded.patches) {
+    renderer.uploadPatch({patch.origin, {}, {}, {}, {}, {}});  // empty: gone
+  }
+  EXPECT_EQ(renderer.triangleCount(), 0u);
+  EXPECT_EQ(still(renderer, loaded.shot()).pixels, empty.pixels);
+}
+
+TEST(Renderer, ClearForgetsEverything) {
+  const Loaded& loaded = theHead();
+  const OffscreenContext context;
+  Renderer renderer;
+  for (const UnpackedPatch& patch : loaded.patches) renderer.uploadPatch(patch.view());
+  renderer.clear();
+  EXPECT_EQ(renderer.triangleCount(), 0u);
+}
+
+TEST(Renderer, SlicesAddUpAndRestart) {
+  const Loaded& loaded = theHead();
+  const OffscreenContext context;
+  Renderer renderer;
+  renderer.addSlice(loaded.shot(), {});
+  renderer.addSlice(loaded.shot(), {});
+  EXPECT_EQ(renderer.sliceCount(), 2);
+  renderer.restart();
+  EXPECT_EQ(renderer.sliceCount(), 0);
+  Shot wrong = loaded.shot();
+  wrong.width = 9000;
+  EXPECT_THROW(renderer.addSlice(wrong, {}), Error);
+}
+
+TEST(Offscreen, ContextsLiveBesideEachOther) {
+  OffscreenContext first;
+  {
+    const OffscreenContext second;
+    EXPECT_FALSE(second.rendererName().empty());
+  }
+  first.makeCurrent();
+  EXPECT_NE(first.rendererName(), "unknown");
+  Renderer renderer;
+}
+
+}  // namespace
+}  // namespace bozzetto
