@@ -11,8 +11,11 @@ constexpr int kSide = BlockKernel::kSide, kCount = BlockKernel::kCount;
 constexpr double kReach = 1;                // half the slope, in cells
 constexpr double kFarSquared = 1e30;        // no triangle within the slope
 constexpr double kOnSurfaceSquared = 1e-6;  // a thousandth of a cell: no side to speak of
+constexpr double kJustOutside = 0.499;      // ½ itself is inside
 constexpr std::uint32_t kNone = ~0u;
 constexpr int kApron = kSide + 2;  // corners of the block and one more on every side
+
+constexpr std::array<int, 3> kApronStrides{kApron * kApron, kApron, 1};
 
 constexpr int cornerIndex(int i, int j, int k) { return (i * kSide + j) * kSide + k; }
 constexpr int apronIndex(int i, int j, int k) {
@@ -115,7 +118,7 @@ void BlockKernel::findInsideByRegions(BlockTask& task) {
       task.kind = BlockKind::holes;
       return;
     }
-    for (const int corner : region_) inside_[corner] = winding > 0.5;
+    for (const int corner : region_) inside_[corner] = winding > 0.5 ? kInside : kOutside;
   }
 }
 
@@ -142,6 +145,13 @@ void BlockKernel::growRegion(int start) {
   }
 }
 
+// A corner that is inside alone would be a crumb of less than a cell at the rim of a hole.
+bool BlockKernel::hasInsideNeighbour(int at) const {
+  return std::any_of(kApronStrides.begin(), kApronStrides.end(), [&](int stride) {
+    return winds_[at - stride] > 0.5f || winds_[at + stride] > 0.5f;
+  });
+}
+
 // Winding numbers of the block and its apron; where they pass ½ smoothly, without a triangle, the
 // distance to that level is (w - ½)/|∇w|.
 void BlockKernel::findInsideEverywhere() {
@@ -154,13 +164,12 @@ void BlockKernel::findInsideEverywhere() {
       }
     }
   }
-  static constexpr std::array<int, 3> strides{kApron * kApron, kApron, 1};
   for (int corner = 0; corner < kCount; ++corner) {
     const int i = corner / (kSide * kSide), j = corner / kSide % kSide, k = corner % kSide;
     const int at = apronIndex(i, j, k);
     const double own = winds_[at];
     double slopeSquared = 0;
-    for (const int stride : strides) {
+    for (const int stride : kApronStrides) {
       // A triangle between two corners makes a jump of 1; such steps say nothing about the slope.
       const double up = winds_[at + stride] - own, down = own - winds_[at - stride];
       const bool upSmooth = std::abs(up) < 0.5, downSmooth = std::abs(down) < 0.5;
@@ -170,7 +179,7 @@ void BlockKernel::findInsideEverywhere() {
                                                   : 0;
       slopeSquared += slope * slope;
     }
-    inside_[corner] = own > 0.5;
+    inside_[corner] = own <= 0.5 ? kOutside : hasInsideNeighbour(at) ? kInside : kCrumb;
     const double distance = std::abs(own - 0.5);
     if (distance * distance < slopeSquared) toHole_[corner] = distance / std::sqrt(slopeSquared);
   }
@@ -184,7 +193,7 @@ bool BlockKernel::contradictsWinding() const {
     const NearestPoint nearest{squared_[corner], u_[corner], v_[corner]};
     if (!nearest.onFace() || nearest.squared < kOnSurfaceSquared) continue;
     const bool front = grid_.triangles[nearest_[corner]].isFrontOf(placeOf(corner));
-    if (front == (inside_[corner] != 0)) return true;
+    if (front == (inside_[corner] == kInside)) return true;
   }
   return false;
 }
@@ -192,7 +201,9 @@ bool BlockKernel::contradictsWinding() const {
 float BlockKernel::valueAt(int corner) const {
   const double distance = std::min(distanceOf(squared_[corner]), toHole_[corner]);
   const double half = std::min(distance / (2 * kReach), 0.5);
-  return static_cast<float>(inside_[corner] != 0 ? 0.5 + half : 0.5 - half);
+  if (inside_[corner] == kInside) return static_cast<float>(0.5 + half);
+  return static_cast<float>(inside_[corner] == kCrumb ? std::min(0.5 - half, kJustOutside)
+                                                      : 0.5 - half);
 }
 
 Colour BlockKernel::colourAt(int corner) const {

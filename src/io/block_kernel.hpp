@@ -36,6 +36,7 @@ class BlockKernel {
 
  private:
   enum class Sheets { all, surfaceOnly };
+  enum Side : std::uint8_t { kOutside, kInside, kCrumb };
 
   void findNearest(const BlockTask& task, Sheets sheets);
   void visitTriangle(std::uint32_t number, Sheets sheets);
@@ -43,6 +44,7 @@ class BlockKernel {
   void findInsideByRegions(BlockTask& task);
   void findInsideEverywhere();
   void growRegion(int start);
+  bool hasInsideNeighbour(int at) const;
   bool contradictsWinding() const;
   float valueAt(int corner) const;
   Colour colourAt(int corner) const;
@@ -56,7 +58,8 @@ class BlockKernel {
   std::array<double, kCount> toHole_;   ///< cells to the ½ level of the winding number
   std::array<std::uint32_t, kCount> nearest_;
   std::array<float, kCount> u_, v_;
-  std::array<std::uint8_t, kCount> inside_, seen_;
+  std::array<std::uint8_t, kCount> inside_;  ///< Side
+  std::array<std::uint8_t, kCount> seen_;
   std::vector<int> region_;
   std::vector<float> winds_;
 };

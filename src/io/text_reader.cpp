@@ -19,6 +19,13 @@ std::string_view withoutPlus(std::string_view word) {
   return plus ? word.substr(1) : word;
 }
 
+// Of a number out of range: too small rather than too large?
+bool isTiny(std::string_view digits) {
+  const auto exponent = digits.find_first_of("eE");
+  if (exponent != std::string_view::npos) return digits.substr(exponent + 1).starts_with('-');
+  return digits.find_first_of("123456789") > digits.find('.');
+}
+
 }  // namespace
 
 std::string shownText(std::string_view found) {
@@ -85,7 +92,7 @@ double TextReader::toNumber(std::string_view text) const {
   const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (digits.empty() || end != digits.data() + digits.size()) fail(text, "a number");
   // Underflow is a zero for a sculptor; overflow and nan are nothing.
-  if (fault == std::errc::result_out_of_range && std::abs(value) < 1) return 0;
+  if (fault == std::errc::result_out_of_range && isTiny(digits)) return 0;
   if (fault != std::errc{} || !std::isfinite(value)) fail(text, "a finite number");
   return value;
 }

@@ -12,7 +12,7 @@ namespace bozzetto {
 struct ImportOptions {
   double cells = 128;  ///< along the longest side of the mesh; used when spacing is 0
   double spacing = 0;  ///< world units per cell
-  Colour colour;       ///< of clay that the mesh gives no colour: all of it, or the inside
+  Colour colour{};     ///< of clay that the mesh gives no colour: all of it, or the inside
 };
 
 struct ImportReport {
