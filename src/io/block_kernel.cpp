@@ -7,7 +7,7 @@
 namespace bozzetto {
 namespace {
 
-constexpr int kSide = BlockKernel::kSide, kCount = BlockKernel::kCount;
+constexpr int kSide = BlockKernel::kSide;
 constexpr double kReach = 1;                // half the slope, in cells
 constexpr double kFarSquared = 1e30;        // no triangle within the slope
 constexpr double kOnSurfaceSquared = 1e-6;  // a thousandth of a cell: no side to speak of
