@@ -1,4 +1,5 @@
 // bozzetto export SCENE OUT: the surface as a mesh file.
+#include "bozzetto/base/file.hpp"
 #include "bozzetto/io/mesh_file.hpp"
 #include "bozzetto/mesh/decimate.hpp"
 #include "bozzetto/scene/scene_file.hpp"

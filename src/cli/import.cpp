@@ -1,6 +1,7 @@
 // bozzetto import MESH -o SCENE: a triangle mesh becomes clay.
 #include <fmt/format.h>
 
+#include "bozzetto/base/file.hpp"
 #include "bozzetto/io/mesh_file.hpp"
 #include "bozzetto/io/voxelise.hpp"
 #include "bozzetto/scene/scene_file.hpp"

@@ -36,7 +36,7 @@ void run(const Arguments& arguments) {
   const Document document = loadScene(arguments.scene, progress);
   Surface<8> surface;
   surface.rebuild(document.field);
-  writePng(arguments.out, renderPicture(surface, document.field, options));
+  writePng(arguments.out, renderPicture(surface, document.field, options, progress));
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ double cellVolume(const FieldScale& scale) { return scale.spacing * scale.spacin
 // A dab and its mirror images list their blocks one after the other.
 std::vector<KeyRun> sortedOnce(std::vector<KeyRun> runs) {
   std::ranges::sort(runs, {}, &KeyRun::key);
-  const auto repeated = std::ranges::unique(runs, {}, &KeyRun::key);
-  runs.erase(repeated.begin(), repeated.end());
+  const auto sameKey = [](const KeyRun& a, const KeyRun& b) { return a.key == b.key; };
+  runs.erase(std::unique(runs.begin(), runs.end(), sameKey), runs.end());
   return runs;
 }
 
@@ -56,7 +56,7 @@ void replaceAll(Edit<CornerBlock<Side>>& edit, const KeyTree<CornerBlock<Side>>&
 template <int Side>
 BasicSculptor<Side>::BasicSculptor(Field<Side> field, SurfaceUpkeep upkeep)
     : field_(std::move(field)), upkeep_(upkeep), massUnits_(massUnits(field_)) {
-  if (upkeep_ != SurfaceUpkeep::none) surface_.rebuild(field_);
+  showAll();
 }
 
 template <int Side>
@@ -134,7 +134,7 @@ void BasicSculptor<Side>::run(const StrokeOperation& operation, OperationReport&
     }
   } catch (...) {
     edit.rollback();
-    if (upkeep_ != SurfaceUpkeep::none) surface_.rebuild(field_);
+    showAll();
     throw;
   }
   keep(edit, field_.scale, report);
@@ -196,14 +196,27 @@ void BasicSculptor<Side>::keep(Edit<Block>& edit, FieldScale scale, OperationRep
     history_.push(std::move(delta), {report.op, before, scale});
   }
   field_.scale = scale;
-  if (report.op != "stroke") refresh(changed, report);
+  refresh(changed, report);
 }
 
 template <int Side>
+void BasicSculptor<Side>::showAll() {
+  if (upkeep_ == SurfaceUpkeep::none) return;
+  surface_.rebuild(field_);
+  shown_ = field_.tree;
+}
+
+// Brings the surface from what it showed to what the field is now, inside these runs.
+template <int Side>
 void BasicSculptor<Side>::refresh(std::span<const KeyRun> changed, OperationReport& report) {
   if (upkeep_ == SurfaceUpkeep::none) return;
-  const Timer timer(report.msSurface);
-  surface_.refresh(field_, changed);
+  const Delta<Block> delta = difference(shown_, field_.tree, changed);
+  {
+    const Timer timer(report.msSurface);
+    surface_.refresh(field_, delta);
+  }
+  report.treated += treatedCubes(delta);
+  delta.apply(shown_, Direction::forward);
 }
 
 template <int Side>

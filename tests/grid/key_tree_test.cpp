@@ -142,6 +142,34 @@ TEST(Edit, sharedBlocksAreNeverWritten) {
   EXPECT_EQ(tree.find({0, 0, 0})->number, 6);
 }
 
+TEST(Edit, aDuplicateMadeDuringAnEditStaysAsItIs) {
+  Tree tree;
+  Edit<Number> edit(tree);
+  edit.write({0, 0, 0}).number = 5;
+  const Tree copy = tree;
+  edit.write({0, 0, 0}).number = 6;
+  EXPECT_EQ(copy.find({0, 0, 0})->number, 5);
+  edit.rollback();
+  EXPECT_TRUE(tree.empty());
+  EXPECT_EQ(copy.find({0, 0, 0})->number, 5);
+}
+
+TEST(Delta, differenceLeadsFromOneTreeToTheOther) {
+  std::mt19937 random(5);
+  const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  for (int round = 0; round < 200; ++round) {
+    Tree a, b;
+    for (int n = 0; n < 6; ++n) {
+      a.put({0, 0, pick(30)}, 1 + pick(9), Number::shared(200 + pick(2)));
+      b.put({0, 0, pick(30)}, 1 + pick(9), Number::shared(200 + pick(2)));
+    }
+    const KeyRun all{{0, 0, -1}, 50};
+    difference(a, b, {&all, 1}).apply(a, Direction::forward);
+    ASSERT_EQ(contentOf(a), contentOf(b));
+    ASSERT_EQ(a.validate(), std::nullopt);
+  }
+}
+
 TEST(Edit, withoutCommitNothingRemains) {
   Tree tree;
   tree.put({0, 0, 0}, 5, Number::shared(200));

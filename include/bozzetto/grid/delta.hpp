@@ -2,17 +2,12 @@
 // ledger live on deltas and know no tool. Costs pointers: the blocks are shared with the tree.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bozzetto/grid/key_tree.hpp"
 
 namespace bozzetto {
-
-/// `length` block keys from `key` upwards along k.
-struct KeyRun {
-  Key key;
-  std::int32_t length = 1;
-};
 
 /// A null block stands for empty space.
 template <class Block>
@@ -58,5 +53,21 @@ struct Delta {
     }
   }
 };
+
+/// What differs between two trees inside `runs` (sorted, not overlapping): from `before` to
+/// `after`. Compares block pointers. O(runs · log n).
+template <class Block>
+Delta<Block> difference(const KeyTree<Block>& before, const KeyTree<Block>& after,
+                        std::span<const KeyRun> runs) {
+  Delta<Block> delta;
+  for (const KeyRun& run : runs) {
+    forPieces(before, run, [&](KeyRun whole, const Ref<Block>& old) {
+      forPieces(after, whole, [&](KeyRun piece, const Ref<Block>& now) {
+        if (!(old == now)) delta.changes.push_back({piece.key, piece.length, old, now});
+      });
+    });
+  }
+  return delta;
+}
 
 }  // namespace bozzetto

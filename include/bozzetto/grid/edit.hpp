@@ -41,9 +41,10 @@ class Edit {
     forPieces(*tree_, run, [&](KeyRun part, const Ref<Block>& block) { piece(part, block.get()); });
   }
 
-  /// `present` for writing in place when this edit made it, else null. O(1).
+  /// `present` for writing in place when this edit made it and nobody shares it (the tree may be
+  /// duplicated in the middle of an edit), else null. O(1).
   Block* own(const Block* present) const {
-    const bool mine = present != nullptr && present->editor == number_;
+    const bool mine = present != nullptr && present->editor == number_ && present->holders() == 1;
     return mine ? const_cast<Block*>(present) : nullptr;  // made by this edit, not const then
   }
 
@@ -53,13 +54,13 @@ class Edit {
   Block& write(Key key) {
     const auto node = tree_->at(key);
     const Block* present = node == tree_->end() ? nullptr : node->second.block.get();
-    if (present != nullptr && present->editor == number_) return *node->second.block;
-    Ref<Block> own(present != nullptr ? new Block(*present) : new Block());
-    own->editor = number_;
+    if (Block* mine = own(present)) return *mine;
+    Ref<Block> block(present != nullptr ? new Block(*present) : new Block());
+    block->editor = number_;
     remember({key, 1});
-    Block& block = *own;
-    tree_->put(key, std::move(own));
-    return block;
+    Block& result = *block;
+    tree_->put(key, std::move(block));
+    return result;
   }
 
   /// A block to fill that replaces the one at `key` when handed to `replace`: for kernels that
@@ -122,28 +123,6 @@ class Edit {
       if (!present) gaps.push_back(piece);
     });
     for (const KeyRun& piece : gaps) gap(piece);
-  }
-
-  // Calls back for every node part and every hole inside `run`, in order.
-  template <class Callback>
-  static void forPieces(const KeyTree<Block>& tree, KeyRun run, Callback&& callback) {
-    const std::int32_t end = run.key.k + run.length;
-    std::int32_t k = run.key.k;
-    const auto call = [&](std::int32_t until, const Ref<Block>& block, bool present) {
-      const KeyRun piece{{run.key.i, run.key.j, k}, until - k};
-      if constexpr (std::is_invocable_v<Callback, KeyRun, const Ref<Block>&, bool>) {
-        callback(piece, block, present);
-      } else {
-        callback(piece, block);
-      }
-      k = until;
-    };
-    for (auto node = tree.from(run.key); k < end; ++node) {
-      const bool inside = node != tree.end() && node->first < Key{run.key.i, run.key.j, end};
-      if (!inside) return call(end, nullptr, false);
-      if (node->first.k > k) call(node->first.k, nullptr, false);
-      call(std::min(end, node->first.k + node->second.length), node->second.block, true);
-    }
   }
 
   // Before and after of everything touched, in pieces on which both are constant.

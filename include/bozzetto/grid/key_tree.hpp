@@ -26,6 +26,12 @@ struct Run {
   Ref<Block> block;
 };
 
+/// `length` block keys from `key` upwards along k.
+struct KeyRun {
+  Key key;
+  std::int32_t length = 1;
+};
+
 // Pools hide overruns from the address sanitizer; there the standard allocator serves.
 #ifdef BOZZETTO_SANITIZED
 template <class T>
@@ -87,6 +93,11 @@ class KeyTree {
     } else {
       put(key, 1, std::move(block));
     }
+  }
+
+  /// Puts one block where nothing stands, right before `next`. Amortised O(1).
+  void insert(const_iterator next, Key key, Ref<Block> block) {
+    map_.emplace_hint(next, key, Run<Block>{1, std::move(block)});
   }
 
   /// Takes away what stands at `length` keys from `key` upwards.
@@ -159,5 +170,29 @@ class KeyTree {
 
   Map map_;
 };
+
+/// Calls callback(KeyRun, const Ref<Block>&[, bool present]) for every node part and every hole
+/// (null, not present) inside `run`, in order. O(log n + pieces). The tree must not change
+/// meanwhile.
+template <class Block, class Callback>
+void forPieces(const KeyTree<Block>& tree, KeyRun run, Callback&& callback) {
+  const std::int32_t end = run.key.k + run.length;
+  std::int32_t k = run.key.k;
+  const auto call = [&](std::int32_t until, const Ref<Block>& block, bool present) {
+    const KeyRun piece{{run.key.i, run.key.j, k}, until - k};
+    if constexpr (std::is_invocable_v<Callback, KeyRun, const Ref<Block>&, bool>) {
+      callback(piece, block, present);
+    } else {
+      callback(piece, block);
+    }
+    k = until;
+  };
+  for (auto node = tree.from(run.key); k < end; ++node) {
+    const bool inside = node != tree.end() && node->first < Key{run.key.i, run.key.j, end};
+    if (!inside) return call(end, nullptr, false);
+    if (node->first.k > k) call(node->first.k, nullptr, false);
+    call(std::min(end, node->first.k + node->second.length), node->second.block, true);
+  }
+}
 
 }  // namespace bozzetto

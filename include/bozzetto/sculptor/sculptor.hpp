@@ -63,6 +63,7 @@ class BasicSculptor {
   void run(const ResampleOperation& operation, OperationReport& report, Progress& progress);
 
   void keep(Edit<Block>& edit, FieldScale scale, OperationReport& report);
+  void showAll();
   void refresh(std::span<const KeyRun> changed, OperationReport& report);
   void revisit(const typename History::Step& step, Direction direction, OperationReport& report);
   void account(const Delta<Block>& delta, Direction direction);
@@ -70,6 +71,7 @@ class BasicSculptor {
 
   Field<Side> field_;
   Surface<Side> surface_;
+  typename Field<Side>::Tree shown_;  // what the surface shows: shares blocks with the field
   History history_;
   SurfaceUpkeep upkeep_;
   ToolShape tool_;
