@@ -2,11 +2,25 @@
 // gyroid. Plain C++, so that programs which link none of our modules share it (C++17: VTK 9.1 reads
 // no newer).
 #pragma once
+#include <time.h>
+
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <vector>
 
 namespace bozzetto::workload {
+
+/// Seconds, for differences. BOZZETTO_BENCH_CLOCK=cpu counts what the process itself worked instead
+/// of the time on the wall: for single-thread figures on a machine that others use too.
+inline double seconds() {
+  static const char* wanted = std::getenv("BOZZETTO_BENCH_CLOCK");
+  static const bool cpu = wanted != nullptr && std::strcmp(wanted, "cpu") == 0;
+  timespec now{};
+  clock_gettime(cpu ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
 
 using Point = std::array<double, 3>;
 

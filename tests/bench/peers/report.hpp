@@ -2,7 +2,6 @@
 // bench_compare reads.
 #pragma once
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -10,6 +9,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "workload.hpp"
 
 namespace bozzetto::peer {
 
@@ -48,13 +49,10 @@ inline Options parseOptions(int count, char** arguments) {
 
 class Clock {
  public:
-  double ms() const {
-    return std::chrono::duration<double, std::milli>(Steady::now() - start_).count();
-  }
+  double ms() const { return (workload::seconds() - start_) * 1e3; }
 
  private:
-  using Steady = std::chrono::steady_clock;
-  Steady::time_point start_ = Steady::now();
+  double start_ = workload::seconds();
 };
 
 /// Milliseconds of `repeats` runs of `body`, each after an untimed `prepare`.

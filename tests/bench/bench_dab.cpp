@@ -1,0 +1,255 @@
+// What a person waits for: whole dabs (field, surface, undo), on the ball, in empty and in crowded
+// scenes; and what the clay weighs.
+#include <benchmark/benchmark.h>
+
+#include <fstream>
+#include <map>
+
+#include "bozzetto/history/undo_stack.hpp"
+#include "bozzetto/surface/surface.hpp"
+#include "bozzetto/tool/fill.hpp"
+#include "bozzetto/tool/stroke.hpp"
+#include "scenes.hpp"
+
+namespace bozzetto {
+namespace {
+
+double secondsSince(double start) { return workload::seconds() - start; }
+
+// A field with its surface and history, as the Sculptor keeps them.
+template <int Side>
+struct Studio {
+  using Block = CornerBlock<Side>;
+
+  explicit Studio(Field<Side> content) : field(std::move(content)) { surface.rebuild(field); }
+
+  Field<Side> field;
+  Surface<Side> surface;
+  UndoStack<Block, int> undo;
+
+  // The sums of a stroke.
+  struct Counts {
+    DabReport dabs;
+    std::size_t examined = 0, meshed = 0;
+    std::int64_t treated = 0;
+    double slowest = 0;  // dab, seconds
+  };
+
+  // One stroke with a refresh after every dab and one undo step; returns its seconds.
+  double stroke(const ToolShape& tool, const ActionOptions& action, const Stroke& path,
+                Counts& counts) {
+    const auto start = workload::seconds();
+    Edit<Block> edit(field.tree);
+    StrokeRunner<Side> runner(edit, field.scale, tool, action, path);
+    for (std::int64_t n = 0; n < runner.dabCount(); ++n) {
+      const auto dabStart = workload::seconds();
+      const DabReport dab = runner.dab(n);
+      const RefreshReport refreshed = surface.refresh(field, dab.changed);
+      counts.slowest = std::max(counts.slowest, secondsSince(dabStart));
+      counts.dabs.visited += dab.visited;
+      counts.dabs.computed += dab.computed;
+      counts.dabs.dirty += dab.dirty;
+      counts.examined += refreshed.examined;
+      counts.meshed += refreshed.meshed;
+    }
+    undo.push(edit.commit(), 0);
+    return secondsSince(start);
+  }
+
+  void takeBack() {
+    const auto& step = undo.undo(field.tree);
+    surface.refresh(field, step.delta);
+    undo.clear();
+  }
+};
+
+Stroke strokeOn(double radius) {
+  Stroke stroke;
+  for (const workload::Point& p : workload::stroke(radius)) {
+    stroke.points.push_back({{p[0], p[1], p[2]}, 1});
+  }
+  // A little less than the distance of the points: a dab at each, none in between.
+  stroke.spacing = 0.25 * (1 - 1e-3);
+  return stroke;
+}
+
+ToolShape toolOf(double radius) {
+  ToolShape tool;
+  tool.radii = {radius, radius, radius};
+  return tool;
+}
+
+enum class Ground { ball, empty, crowded };
+
+// Scenes are made once: benchmarks undo what they do.
+template <int Side>
+Studio<Side>& studioOf(Ground ground) {
+  static std::map<Ground, Studio<Side>> studios;
+  const auto found = studios.find(ground);
+  if (found != studios.end()) return found->second;
+  Field<Side> field;
+  if (ground == Ground::ball) field = scenes::ball<Side>();
+  if (ground == Ground::crowded) scenes::crowd(field);
+  return studios.try_emplace(ground, std::move(field)).first->second;
+}
+
+template <int Side>
+void report(benchmark::State& state, const typename Studio<Side>::Counts& counts, double dabs) {
+  state.counters["visited"] = static_cast<double>(counts.dabs.visited) / dabs;
+  state.counters["computed"] = static_cast<double>(counts.dabs.computed) / dabs;
+  state.counters["dirty"] = static_cast<double>(counts.dabs.dirty) / dabs;
+  state.counters["treated"] = static_cast<double>(counts.treated) / dabs;
+  state.counters["blocks_examined"] = static_cast<double>(counts.examined) / dabs;
+  state.counters["blocks_meshed"] = static_cast<double>(counts.meshed) / dabs;
+  state.counters["worst_ms"] = counts.slowest * 1e3;
+}
+
+// Time is per dab, undo included, the way back not.
+template <int Side>
+void wholeDab(benchmark::State& state, Ground ground, ActionKind kind, double radius, int threads) {
+  setThreadCount(threads);
+  Studio<Side>& studio = studioOf<Side>(ground);
+  const Stroke path = strokeOn(radius);
+  const ActionOptions action{kind, workload::kStrength, {200, 100, 60}};
+  typename Studio<Side>::Counts counts;
+  double dabs = 0;
+  std::string hash;
+  for (auto _ : state) {
+    state.SetIterationTime(studio.stroke(toolOf(radius), action, path, counts) / workload::kDabs);
+    dabs += workload::kDabs;
+    if (hash.empty()) hash = scenes::hashOf(studio.field);
+    counts.treated += treatedCubes<Side>(studio.undo.steps().back().delta);
+    studio.takeBack();
+  }
+  report<Side>(state, counts, dabs);
+  state.SetLabel(hash);
+  setThreadCount(0);
+}
+
+// Undo and redo of a whole stroke, surface included; time is of both halves' mean.
+void undoStroke(benchmark::State& state, double radius, int threads) {
+  setThreadCount(threads);
+  Studio<8>& studio = studioOf<8>(Ground::ball);
+  Studio<8>::Counts counts;
+  studio.stroke(toolOf(radius), {ActionKind::add, workload::kStrength, {}}, strokeOn(radius),
+                counts);
+  for (auto _ : state) {
+    const auto start = workload::seconds();
+    studio.surface.refresh(studio.field, studio.undo.undo(studio.field.tree).delta);
+    studio.surface.refresh(studio.field, studio.undo.redo(studio.field.tree).delta);
+    state.SetIterationTime(secondsSince(start) / 2);
+  }
+  state.SetLabel(scenes::hashOf(studio.field));
+  studio.takeBack();
+  setThreadCount(0);
+}
+
+template <int Side>
+double cornersOfSurface(const Field<Side>& field) {
+  double count = 0;
+  for (const auto& [key, run] : field.tree) {
+    const auto& values = run.block->value;
+    count +=
+        run.length * static_cast<double>(std::count_if(values.begin(), values.end(),
+                                                       [](float v) { return v > 0 && v < 1; }));
+  }
+  return count;
+}
+
+template <int Side>
+void reportMemory(benchmark::State& state, const Field<Side>& field) {
+  const FieldStatistics known = statistics(field);
+  const auto bytes = static_cast<double>(known.bytes);
+  const double stored = static_cast<double>(known.blocks) * BlockGeometry<Side>::kCount;
+  const double surface = cornersOfSurface(field);
+  state.counters["bytes"] = bytes;
+  state.counters["bytes_without_colour"] = bytes - 4 * stored;
+  state.counters["blocks"] = static_cast<double>(known.blocks);
+  state.counters["nodes"] = static_cast<double>(known.nodes);
+  state.counters["corners_stored"] = stored;
+  state.counters["surface_corners"] = surface;
+  state.counters["bytes_per_surface_corner"] = bytes / surface;
+  state.SetLabel(scenes::hashOf(field));
+}
+
+void memoryBall(benchmark::State& state) {
+  Studio<8>& studio = studioOf<8>(Ground::ball);
+  for (auto _ : state) benchmark::DoNotOptimize(statistics(studio.field));
+  reportMemory(state, studio.field);
+  state.counters["surface_bytes"] = static_cast<double>(studio.surface.bytes());
+}
+
+// A solid ball made at once: the inside must cost no corners.
+void solid(benchmark::State& state, double radius) {
+  for (auto _ : state) {
+    Clay clay;
+    Edit<CornerBlock<8>> edit(clay.tree);
+    Primitive primitive;
+    primitive.radii = {radius, radius, radius};
+    const auto start = workload::seconds();
+    fill(edit, clay.scale, primitive);
+    edit.commit();
+    state.SetIterationTime(secondsSince(start));
+    reportMemory(state, clay);
+  }
+}
+
+std::string nameOf(const std::string& what, double radius, int side, int threads) {
+  return what + "/radius:" + std::to_string(static_cast<int>(radius)) +
+         "/side:" + std::to_string(side) + "/threads:" + std::to_string(threads);
+}
+
+template <class Body, class... Arguments>
+void add(const std::string& name, Body body, Arguments... arguments) {
+  benchmark::RegisterBenchmark(name.c_str(), body, arguments...)
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+template <int Side>
+void addDabs(double radius, int threads) {
+  add(nameOf("whole_dab", radius, Side, threads), wholeDab<Side>, Ground::ball, ActionKind::add,
+      radius, threads);
+  add(nameOf("whole_remove", radius, Side, threads), wholeDab<Side>, Ground::ball,
+      ActionKind::remove, radius, threads);
+  add(nameOf("whole_smooth", radius, Side, threads), wholeDab<Side>, Ground::ball,
+      ActionKind::smooth, radius, threads);
+  add(nameOf("dab_lonely", radius, Side, threads), wholeDab<Side>, Ground::empty, ActionKind::add,
+      radius, threads);
+  add(nameOf("dab_crowded", radius, Side, threads), wholeDab<Side>, Ground::crowded,
+      ActionKind::add, radius, threads);
+}
+
+// Gigabytes that are free; the largest solid needs them.
+double freeGigabytes() {
+  std::ifstream stream("/proc/meminfo");
+  std::string name;
+  for (double kilobytes = 0; stream >> name >> kilobytes; stream.ignore(80, '\n')) {
+    if (name == "MemAvailable:") return kilobytes / (1 << 20);
+  }
+  return 0;
+}
+
+void addAll() {
+  for (const int threads : {1, 2}) {
+    for (const double radius : workload::kRadii) {
+      addDabs<8>(radius, threads);
+      add(nameOf("undo_stroke", radius, 8, threads), undoStroke, radius, threads);
+    }
+  }
+  addDabs<1>(8, 1);
+  addDabs<1>(16, 1);
+  add("memory_ball", memoryBall);
+  add("solid/radius:500", solid, 500.0);
+  if (freeGigabytes() > 14) add("solid/radius:2000", solid, 2000.0);
+}
+
+}  // namespace
+}  // namespace bozzetto
+
+int main(int count, char** arguments) {
+  bozzetto::addAll();
+  benchmark::Initialize(&count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+}
