@@ -61,7 +61,14 @@ class ColumnCursor {
   const Block* fetch(std::int32_t k) {
     while (inColumn() && node_->first.k + node_->second.length <= k) ++node_;
     if (!inColumn() || node_->first.k > k) return BlockWindow<Side>::empty();
+    prefetchNext();
     return node_->second.block.get();
+  }
+
+  // The range of the block after this one is asked for next.
+  void prefetchNext() const {
+    const FieldNode<Side> next = std::next(node_);
+    if (Side > 1 && next != end_) __builtin_prefetch(&next->second.block->low);
   }
 
   FieldNode<Side> node_, end_;

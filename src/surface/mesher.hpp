@@ -26,35 +26,36 @@ class Mesher {
   static constexpr int kReach = Side + 3;  // and one more at both ends, for gradients
   static constexpr int kRow = 16;          // floats between rows of `density_`
   static constexpr int kRows = kNodes * kNodes;
-  static constexpr std::uint32_t kOwned = (1u << Side) - 1, kAll = (1u << kNodes) - 1;
-  static constexpr std::array<int, 3> kStride = {kReach * kRow, kRow, 1};
+  static constexpr int kPaddedRows = (kRows + 7) / 8 * 8 + 16;
 
-  // Which edges of a row of corners cross: bit k, one mask an axis.
-  using RowCrossings = std::array<std::uint32_t, 3>;
-  struct RowSource;
+  // Crossing edges of a row of corners: bit axis · kNodes + k. So bits ascend like edge ids.
+  using RowBits = std::uint32_t;
+  static constexpr RowBits kOwnedK = (1u << Side) - 1, kAllK = (1u << kNodes) - 1;
+  static constexpr RowBits allAxes(RowBits k) { return k | k << kNodes | k << 2 * kNodes; }
 
   bool findInside(const Window& window, float iso);
-  std::uint32_t insideRow(const Window& window, int i, int j, float iso) const;
   void findCrossings();
+  void noteWantedRows();
   void gatherDensity(const Window& window);
   void gatherEdges(const Window& window);
-  void gatherRow(const Window& window, int i, int j, std::uint32_t allowed);
-  void gatherEdge(const RowSource& row, int k, Axis axis);
+  void gatherRow(int i, int j, RowBits bits);
   void emitVertices();
   void emitCubes();
   void emitCube(int i, int j, int k, std::uint32_t mask);
 
-  std::array<std::uint16_t, kRows> inside_;  // bit k: corner (i, j, k) is inside
-  std::array<RowCrossings, kRows> crossings_;
-  std::array<std::uint32_t, kReach> wantedRows_;  // bit j + 1 of entry i + 1: row is needed
+  alignas(64) std::array<RowBits, kPaddedRows> inside_;  // bit k: corner (i, j, k) is inside
+  alignas(64) std::array<RowBits, kPaddedRows> crossings_;
+  std::array<std::uint32_t, kNodes> crossingRows_;  // bit j of entry i: the row has crossings
+  std::array<std::uint32_t, kReach> wantedRows_;    // bit j + 1 of entry i + 1: row is needed
+  std::array<const Attributes*, 8> attributes_;     // of the blocks that hold the cubes' corners
   alignas(64) std::array<float, kReach * kReach * kRow> density_;
   CrossingEdges edges_;
   int edgeCount_ = 0, cubeCount_ = 0, indexCount_ = 0;
-  std::array<std::uint16_t, Edges::kIds> vertexOfEdge_;
+  std::array<std::uint16_t, Edges::kIds> vertexOfEdge_{};
   std::array<std::uint16_t, CrossingEdges::kMost> ids_;
   std::array<PatchVertex, CrossingEdges::kMost> vertices_;
   std::array<CrossingCube, Side * Side * Side> cubes_;
-  std::array<std::uint16_t, 15 * Side * Side * Side> indices_;
+  std::array<std::uint16_t, 15 * Side * Side * Side + 15> indices_;
   PatchContent content_;
 };
 

@@ -29,6 +29,7 @@ class Surface<Side>::Sweep {
   struct Fresh {
     Key key;
     Ref<SurfacePatch> patch;
+    Patches::const_iterator next;  // the patch it goes before
   };
 
   Sweep(const Surface& surface, const Columns<Side>& columns, std::size_t first)
@@ -39,7 +40,7 @@ class Surface<Side>::Sweep {
   std::size_t begin;
   RefreshReport report;
   SurfaceTotals added, removed;
-  std::vector<Fresh> fresh;
+  std::vector<Fresh> fresh, replaced;
   std::vector<Key> gone;
 
  private:
@@ -152,7 +153,7 @@ void Surface<Side>::Sweep::keep(Key key, const PatchContent& content) {
   report.vertices += content.owned;
   report.triangles += content.indices.size() / 3;
   if (existing_ == surface_->patches_.end() || existing_->first != key) {
-    fresh.push_back({key, Ref<SurfacePatch>(new SurfacePatch(content))});
+    fresh.push_back({key, Ref<SurfacePatch>(new SurfacePatch(content)), existing_});
     addTo(added, *fresh.back().patch);
     report.changed.push_back(key);
     return;
@@ -160,14 +161,14 @@ void Surface<Side>::Sweep::keep(Key key, const PatchContent& content) {
   SurfacePatch& patch = *(existing_++)->second.block;
   if (patch.content().sameAs(content)) return;
   addTo(removed, patch);
+  report.changed.push_back(key);
   if (patch.holders() == 1) {
     patch.assign(content);
     addTo(added, patch);
   } else {
-    fresh.push_back({key, Ref<SurfacePatch>(new SurfacePatch(content))});
-    addTo(added, *fresh.back().patch);
+    replaced.push_back({key, Ref<SurfacePatch>(new SurfacePatch(content)), existing_});
+    addTo(added, *replaced.back().patch);
   }
-  report.changed.push_back(key);
 }
 
 // Patches that stand before `key` in the blocks looked at have nothing left to show.
@@ -214,8 +215,9 @@ template <int Side>
 void Surface<Side>::apply(Sweep& sweep) {
   combine(totals_, sweep.added, 1);
   combine(totals_, sweep.removed, -1);
+  for (auto& [key, patch, next] : sweep.fresh) patches_.insert(next, key, std::move(patch));
+  for (auto& [key, patch, next] : sweep.replaced) patches_.put(key, std::move(patch));
   for (const Key key : sweep.gone) patches_.erase(key);
-  for (auto& [key, patch] : sweep.fresh) patches_.put(key, std::move(patch));
 }
 
 template <int Side>

@@ -1,7 +1,5 @@
 #include "surface/vertex_kernel.hpp"
 
-#include <cmath>
-
 #include "bozzetto/base/simd.hpp"
 
 // Nobody reads floating-point exception flags; GCC vectorises selections only when told so.
@@ -23,16 +21,16 @@ BOZZETTO_KERNEL float crossingAt(float a, float b, float iso) {
 }
 
 BOZZETTO_KERNEL std::int32_t rounded(float x) {
-  return static_cast<std::int32_t>(x + std::copysign(0.5f, x));
+  return static_cast<std::int32_t>(x + __builtin_copysignf(0.5f, x));
 }
 
 // A vector of any length onto the octahedron, 16 bits a coordinate.
 BOZZETTO_KERNEL std::uint32_t octahedral(float x, float y, float z) {
-  const float sum = std::abs(x) + std::abs(y) + std::abs(z);
+  const float sum = __builtin_fabsf(x) + __builtin_fabsf(y) + __builtin_fabsf(z);
   const float scale = 32767.0f / (sum > 0 ? sum : 1.0f);
   const float u = x * scale, v = y * scale;
-  const float foldedU = std::copysign(32767.0f - std::abs(v), u);
-  const float foldedV = std::copysign(32767.0f - std::abs(u), v);
+  const float foldedU = __builtin_copysignf(32767.0f - __builtin_fabsf(v), u);
+  const float foldedV = __builtin_copysignf(32767.0f - __builtin_fabsf(u), v);
   const auto packedU = static_cast<std::uint32_t>(rounded(z < 0 ? foldedU : u));
   const auto packedV = static_cast<std::uint32_t>(rounded(z < 0 ? foldedV : v));
   return (packedU & 0xffff) | packedV << 16;
@@ -50,9 +48,10 @@ BOZZETTO_KERNEL void finishKernel(CrossingEdges& e, int count, float iso) {
   for (int n = 0; n < count; ++n) {
     const float a = e.valueA[n], b = e.valueB[n], t = crossingAt(a, b, iso);
     const auto along = [t](float from, float to) { return from + (to - from) * t; };
-    e.position[0][n] += e.axis[n] == 0 ? t : 0.0f;
-    e.position[1][n] += e.axis[n] == 1 ? t : 0.0f;
-    e.position[2][n] += e.axis[n] == 2 ? t : 0.0f;
+    const auto place = static_cast<std::int32_t>(e.place[n]), axis = place >> 24;
+    e.position[0][n] = static_cast<float>(place & 255) + (axis == 0 ? t : 0.0f);
+    e.position[1][n] = static_cast<float>(place >> 8 & 255) + (axis == 1 ? t : 0.0f);
+    e.position[2][n] = static_cast<float>(place >> 16 & 255) + (axis == 2 ? t : 0.0f);
     e.normal[n] = octahedral(-along(e.gradientA[0][n], e.gradientB[0][n]),
                              -along(e.gradientA[1][n], e.gradientB[1][n]),
                              -along(e.gradientA[2][n], e.gradientB[2][n]));

@@ -15,9 +15,13 @@ struct CrossingEdges {
   alignas(64) Floats valueA, valueB;  ///< smaller corner first
   alignas(64) std::array<Floats, 3> gradientA, gradientB;
   alignas(64) std::array<std::uint32_t, kMost> coloursA, coloursB;  ///< Attributes
-  alignas(64) std::array<Floats, 3> position;  ///< in: smaller corner; out: the vertex
-  alignas(64) std::array<std::int32_t, kMost> axis;
-  alignas(64) std::array<std::uint32_t, kMost> normal, colour;  ///< out
+  alignas(64) std::array<std::uint32_t, kMost> place;               ///< of the smaller corner
+  alignas(64) std::array<Floats, 3> position;                       ///< out
+  alignas(64) std::array<std::uint32_t, kMost> normal, colour;      ///< out
+
+  static constexpr std::uint32_t placeOf(int i, int j, int k, int axis) {
+    return static_cast<std::uint32_t>(i | j << 8 | k << 16 | axis << 24);
+  }
 };
 
 /// Interpolates `count` crossings of `iso`.
