@@ -2,8 +2,10 @@
 
 #include <zstd.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
-#include <cmath>
+#include <cstring>
 #include <memory>
 
 namespace bozzetto {
@@ -18,6 +20,7 @@ constexpr float kValueLimit = 2048;
 
 enum Kind : std::uint8_t { kOwn = 0, kUniform = 1 };
 enum Code : std::uint8_t { kEmpty = 0, kFull = 1, kOther = 2 };
+constexpr std::byte kFourFull{0x55};
 enum AttributeMode : std::uint8_t { kOneForAll = 0, kOneEach = 1 };
 
 // Every block its own colours and values, and no run shorter than its record.
@@ -60,45 +63,58 @@ struct BlockStreams {
   std::vector<std::uint32_t> values, attributes;
 };
 
+constexpr auto kOneBits = std::bit_cast<std::uint32_t>(1.0f);
+
+// The codes of four corners in one byte; values that are neither 0 nor 1 go to `others`.
+std::byte codesOf(const float* value, std::uint32_t*& others) {
+  std::array<std::uint32_t, 4> bits;
+  std::memcpy(bits.data(), value, sizeof bits);
+  if ((bits[0] | bits[1] | bits[2] | bits[3]) << 1 == 0) return std::byte{0};
+  std::uint32_t notFull = 0;
+  for (const std::uint32_t each : bits) notFull |= each ^ kOneBits;
+  if (notFull == 0) return kFourFull;
+  unsigned codes = 0;
+  for (int n = 0; n < 4; ++n) {
+    const unsigned code = bits[n] << 1 == 0 ? kEmpty : bits[n] == kOneBits ? kFull : kOther;
+    codes |= code << 2 * n;
+    *others = bits[n];
+    others += code >> 1;
+  }
+  return static_cast<std::byte>(codes);
+}
+
 void addCodes(const Block& block, BlockStreams& out) {
-  constexpr auto kOneBits = std::bit_cast<std::uint32_t>(1.0f);
   const std::size_t codesBefore = out.codes.size(), valuesBefore = out.values.size();
   out.codes.resize(codesBefore + kCodeBytes);
   out.values.resize(valuesBefore + Block::kCount);
   std::uint32_t* others = out.values.data() + valuesBefore;
-  for (int byte = 0; byte < kCodeBytes; ++byte) {
-    unsigned codes = 0;
-    for (int n = 0; n < 4; ++n) {
-      const auto bits = std::bit_cast<std::uint32_t>(block.value[byte * 4 + n]);
-      const unsigned code = bits << 1 == 0 ? kEmpty : bits == kOneBits ? kFull : kOther;
-      codes |= code << 2 * n;
-      *others = bits;
-      others += code >> 1;
-    }
-    out.codes[codesBefore + byte] = static_cast<std::byte>(codes);
+  for (int n = 0; n < kCodeBytes; ++n) {
+    out.codes[codesBefore + n] = codesOf(&block.value[n * 4], others);
   }
   out.values.resize(others - out.values.data());
 }
 
 void addAttributes(const Block& block, BlockStreams& out) {
-  const std::size_t before = out.attributes.size();
-  bool alike = true;
+  int first = 0;
+  while (!(block.value[first] > 0)) ++first;
+  Attributes differs = 0;
   for (int n = 0; n < Block::kCount; ++n) {
-    if (!(block.value[n] > 0)) continue;
-    out.attributes.push_back(block.attributes[n]);
-    alike &= block.attributes[n] == out.attributes[before];
+    differs |= block.value[n] > 0 ? block.attributes[n] ^ block.attributes[first] : 0;
   }
-  if (alike) out.attributes.resize(before + 1);
-  out.modes.push_back(static_cast<std::byte>(alike ? kOneForAll : kOneEach));
+  out.modes.push_back(static_cast<std::byte>(differs == 0 ? kOneForAll : kOneEach));
+  if (differs == 0) return out.attributes.push_back(block.attributes[first]);
+  for (int n = 0; n < Block::kCount; ++n) {
+    if (block.value[n] > 0) out.attributes.push_back(block.attributes[n]);
+  }
 }
 
 void requireGood(const Block& block, Key key) {
-  if (block.high < kValueLimit && !(block.low < 0)) {
-    bool finite = true;
-    for (const float value : block.value) finite &= value >= 0 && value < kValueLimit;
-    if (finite) return;
-  }
-  throw Error("block " + toText(key) + ": a density outside 0 … 2048 cannot be saved");
+  // As integers: floats ≥ 0 are in the order of their bits, all others are larger.
+  constexpr auto kLimitBits = std::bit_cast<std::uint32_t>(kValueLimit);
+  std::uint32_t most = 0;
+  for (const float value : block.value) most = std::max(most, std::bit_cast<std::uint32_t>(value));
+  if (most > 0 && most < kLimitBits) return;
+  throw Error("block " + toText(key) + ": densities outside 0 … 2048, or none, cannot be saved");
 }
 
 Bytes rawChunk(const Chunk& chunk) {
@@ -177,26 +193,59 @@ ChunkRun getRun(ByteReader& in, Key tile, int& last, const std::string& name) {
   return run;
 }
 
-// Corners by their codes; others and attributes are taken from where the last block left off.
+// How many of the four corners of a code byte have clay, how many their own value, and whether all
+// codes are known.
+struct CodeCounts {
+  int clay, others;
+  bool known;
+};
+
+constexpr std::array<CodeCounts, 256> kCodeCounts = [] {
+  std::array<CodeCounts, 256> table{};
+  for (unsigned byte = 0; byte < 256; ++byte) {
+    table[byte].known = true;
+    for (int n = 0; n < 4; ++n) {
+      const unsigned code = byte >> 2 * n & 3;
+      table[byte].clay += code != kEmpty ? 1 : 0;
+      table[byte].others += code == kOther ? 1 : 0;
+      table[byte].known &= code <= kOther;
+    }
+  }
+  return table;
+}();
+
+// Where the last block left off in the streams.
 struct StreamPlace {
   std::size_t value = 0, attribute = 0;
 };
 
-Code codeOf(std::span<const std::byte> codes, int n) {
-  return static_cast<Code>(std::to_integer<unsigned>(codes[n / 4]) >> 2 * (n % 4) & 3);
+void fillFour(std::byte codes, float* value, const BlockStreams& streams, StreamPlace& place) {
+  for (int n = 0; n < 4; ++n) {
+    const unsigned code = std::to_integer<unsigned>(codes) >> 2 * n & 3;
+    if (code == kFull) value[n] = 1.0f;
+    if (code == kOther) value[n] = std::bit_cast<float>(streams.values[place.value++]);
+  }
 }
 
 Ref<Block> blockOf(std::span<const std::byte> codes, std::byte mode, const BlockStreams& streams,
                    StreamPlace& place) {
   Ref<Block> block(new Block());
-  for (int n = 0; n < Block::kCount; ++n) {
-    const Code code = codeOf(codes, n);
-    if (code == kEmpty) continue;
-    block->value[n] = code == kFull ? 1.0f : std::bit_cast<float>(streams.values[place.value++]);
-    block->attributes[n] = streams.attributes[place.attribute];
-    if (mode == std::byte{kOneEach}) ++place.attribute;
+  for (int n = 0; n < kCodeBytes; ++n) {
+    float* value = &block->value[n * 4];
+    if (codes[n] == std::byte{0}) continue;
+    if (codes[n] == kFourFull) {
+      std::fill_n(value, 4, 1.0f);
+    } else {
+      fillFour(codes[n], value, streams, place);
+    }
   }
-  if (mode == std::byte{kOneForAll}) ++place.attribute;
+  if (mode == std::byte{kOneForAll}) {
+    block->attributes.fill(streams.attributes[place.attribute++]);  // canonical() clears the empty
+    return block;
+  }
+  for (int n = 0; n < Block::kCount; ++n) {
+    if (block->value[n] > 0) block->attributes[n] = streams.attributes[place.attribute++];
+  }
   return block;
 }
 
@@ -209,11 +258,11 @@ StreamSizes sizesOf(std::span<const std::byte> codes, std::span<const std::byte>
   StreamSizes sizes;
   for (std::size_t b = 0; b < modes.size(); ++b) {
     std::size_t clay = 0;
-    for (int n = 0; n < Block::kCount; ++n) {
-      const unsigned code = codeOf(codes.subspan(b * kCodeBytes, kCodeBytes), n);
-      if (code > kOther) throw Error(name + ": corner code 3, at most 2 expected");
-      clay += code != kEmpty ? 1 : 0;
-      sizes.values += code == kOther ? 1 : 0;
+    for (const std::byte code : codes.subspan(b * kCodeBytes, kCodeBytes)) {
+      const CodeCounts& counts = kCodeCounts[std::to_integer<std::size_t>(code)];
+      if (!counts.known) throw Error(name + ": corner code 3, at most 2 expected");
+      clay += counts.clay;
+      sizes.values += counts.others;
     }
     if (modes[b] > std::byte{kOneEach}) throw Error(name + ": attribute mode unknown");
     sizes.attributes += modes[b] == std::byte{kOneEach} ? clay : 1;
@@ -289,17 +338,21 @@ Bytes encodeChunk(const Chunk& chunk) {
 
 Chunk decodeChunk(std::span<const std::byte> bytes, const std::string& name) {
   ByteReader head(bytes, name);
-  Chunk chunk;
+  Key tile;
   constexpr std::int32_t kTileRim = kWorkspaceRim / 64;
   for (const Axis axis : kAxes) {
-    chunk.tile[axis] = head.get<std::int32_t>();
-    if (chunk.tile[axis] < -kTileRim || chunk.tile[axis] > kTileRim) {
-      throw Error(name + ": tile " + std::to_string(chunk.tile[axis]) + " outside ±2^24");
+    tile[axis] = head.get<std::int32_t>();
+    if (tile[axis] < -kTileRim || tile[axis] > kTileRim) {
+      throw Error(name + ": tile " + std::to_string(tile[axis]) + " outside ±2^24");
     }
   }
   const auto size = head.get<std::uint32_t>();
-  const Bytes raw = decompressed(head.take(head.remaining()), size, name);
+  return decodeRawChunk(tile, decompressed(head.take(head.remaining()), size, name), name);
+}
+
+Chunk decodeRawChunk(Key tile, std::span<const std::byte> raw, const std::string& name) {
   ByteReader in(raw, name);
+  Chunk chunk{tile, {}};
   const auto runs = in.get<std::uint32_t>();
   if (runs < 1 || runs > kTileKeys) {
     throw Error(name + ": " + std::to_string(runs) + " runs, 1 to 512 expected");

@@ -31,4 +31,7 @@ Bytes encodeChunk(const Chunk& chunk);
 /// What encodeChunk made, or Error: `name` opens the text. Blocks come out canonical.
 Chunk decodeChunk(std::span<const std::byte> bytes, const std::string& name);
 
+/// The part of decodeChunk behind the compression.
+Chunk decodeRawChunk(Key tile, std::span<const std::byte> raw, const std::string& name);
+
 }  // namespace bozzetto

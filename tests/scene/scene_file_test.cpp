@@ -8,6 +8,7 @@
 #include <csignal>
 
 #include "bozzetto/base/file.hpp"
+#include "scene/database.hpp"
 #include "scene/scenes.hpp"
 
 namespace bozzetto {
@@ -166,6 +167,32 @@ TEST(SceneFile, refusesToSaveWhatItCouldNotLoad) {
   dab(document, {0, 0, 90}, 1e9f);
   EXPECT_THROW(saveScene(folder / "a.bzt", document), Error);
   EXPECT_TRUE(namesIn(folder).empty());
+}
+
+// A save that was cut off while SQLite had already changed pages of the file.
+TEST(SceneFile, anInterruptedSaveIsTakenBackWhenLoading) {
+  const Folder folder;
+  Document document = sampleDocument();
+  document.parts.shelf[0].payload.assign(200000, std::byte{3});
+  saveScene(folder / "a.bzt", document);
+  {
+    Database database = Database::forWriting(folder / "a.bzt", "a.bzt");
+    database.run(
+        "PRAGMA cache_size=1; BEGIN; UPDATE shelf SET content = zeroblob(200000); "
+        "UPDATE chunks SET content = zeroblob(50000)");
+    for (const std::string name : {"a.bzt", "a.bzt-journal"}) {
+      std::filesystem::copy_file(folder / name, folder / ("b" + name.substr(1)));
+    }
+  }
+  ASSERT_NE(readFile(folder / "b.bzt"), readFile(folder / "a.bzt"));
+  ASSERT_GT(std::filesystem::file_size(folder / "b.bzt-journal"), 0u);
+  std::filesystem::copy(folder.path(), folder.path().string() + "-copy");
+  expectEqual(document, loadScene(folder / "b.bzt"));
+  // Saving over such a file must not have the old journal played into the new one.
+  const std::filesystem::path copy = folder.path().string() + "-copy";
+  saveScene(copy / "b.bzt", Document{});
+  EXPECT_TRUE(loadScene(copy / "b.bzt").field.tree.empty());
+  std::filesystem::remove_all(copy);
 }
 
 struct StopAt : Progress {
