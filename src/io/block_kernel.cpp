@@ -11,9 +11,10 @@ constexpr int kSide = BlockKernel::kSide;
 constexpr double kReach = 1;                // half the slope, in cells
 constexpr double kFarSquared = 1e30;        // no triangle within the slope
 constexpr double kOnSurfaceSquared = 1e-6;  // a thousandth of a cell: no side to speak of
+constexpr double kUnclear = 0.25;           // winding numbers this far from whole: a hole is near
 constexpr double kJustOutside = 0.499;      // ½ itself is inside
 constexpr std::uint32_t kNone = ~0u;
-constexpr int kApron = kSide + 2;  // corners of the block and one more on every side
+constexpr int kApron = kSide + 3;  // corners of the block and one more on every side
 
 constexpr std::array<int, 3> kApronStrides{kApron * kApron, kApron, 1};
 
@@ -37,13 +38,12 @@ glm::dvec3 BlockKernel::placeOf(int corner) const {
   return origin_ + glm::dvec3(corner / (kSide * kSide), corner / kSide % kSide, corner % kSide);
 }
 
-bool BlockKernel::fill(const BlockTask& given, CornerBlock<8>& out) {
-  BlockTask task = given;
+bool BlockKernel::fill(const BlockTask& task, CornerBlock<8>& out) {
   origin_ = glm::dvec3(task.block.i, task.block.j, task.block.k) * double(kSide);
   findNearest(task, Sheets::all);
   toHole_.fill(kReach);
-  if (task.kind == BlockKind::sheets) findInsideByRegions(task);
-  if (task.kind == BlockKind::holes) findInsideEverywhere();
+  const bool sheets = task.kind == BlockKind::sheets || task.kind == BlockKind::rim;
+  if (!sheets || !findInsideByRegions(task.kind)) findInsideEverywhere(task.kind);
   // Where bodies overlap, triangles inside the clay are not its surface.
   if (contradictsWinding()) findNearest(task, Sheets::surfaceOnly);
 
@@ -102,8 +102,8 @@ bool BlockKernel::isSurface(const DistanceTriangle& triangle, const NearestPoint
 
 // Two corners are parted by a triangle only if it passes between them, so their distances to it
 // add up to at most the distance between them. Regions of corners that nothing parts are on one
-// side; the corner farthest from all triangles speaks for them.
-void BlockKernel::findInsideByRegions(BlockTask& task) {
+// side; the corner farthest from all triangles speaks for them. False where a hole is near.
+bool BlockKernel::findInsideByRegions(BlockKind kind) {
   seen_.fill(0);
   for (int start = 0; start < kCount; ++start) {
     if (seen_[start] != 0) continue;
@@ -112,14 +112,32 @@ void BlockKernel::findInsideByRegions(BlockTask& task) {
       return squared_[a] != squared_[b] ? squared_[a] < squared_[b] : a > b;
     });
     const double winding = winding_.at(placeOf(speaker));
-    // Neither in nor out, and not on a triangle: a hole is near.
+    // Corners on a triangle have no side to speak of.
     const bool open = !grid_.openEdges.empty() && squared_[speaker] > kOnSurfaceSquared;
-    if (open && std::abs(winding - std::round(winding)) > 0.25) {
-      task.kind = BlockKind::holes;
-      return;
-    }
+    if (open && !regionAgrees(kind, winding)) return false;
     for (const int corner : region_) inside_[corner] = winding > 0.5 ? kInside : kOutside;
   }
+  return true;
+}
+
+// Clearly in or clearly out, and beside open edges so do the region's ends in 14 directions.
+bool BlockKernel::regionAgrees(BlockKind kind, double winding) const {
+  const double side = std::round(winding);
+  if (std::abs(winding - side) > kUnclear) return false;
+  if (kind == BlockKind::sheets) return true;
+  static const std::array<glm::dvec3, 7> directions{
+      glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+  for (const auto& direction : directions) {
+    const auto [first, last] =
+        std::minmax_element(region_.begin(), region_.end(), [&](int a, int b) {
+          return glm::dot(direction, placeOf(a)) < glm::dot(direction, placeOf(b));
+        });
+    for (const int end : {*first, *last}) {
+      if (squared_[end] <= kOnSurfaceSquared) continue;
+      if (std::abs(winding_.at(placeOf(end)) - side) > kUnclear) return false;
+    }
+  }
+  return true;
 }
 
 void BlockKernel::growRegion(int start) {
@@ -152,18 +170,33 @@ bool BlockKernel::hasInsideNeighbour(int at) const {
   });
 }
 
-// Winding numbers of the block and its apron; where they pass ½ smoothly, without a triangle, the
-// distance to that level is (w - ½)/|∇w|.
-void BlockKernel::findInsideEverywhere() {
+void BlockKernel::sampleWinding(int step) {
   winds_.resize(kApron * kApron * kApron);
-  for (int i = -1; i <= kSide; ++i) {
-    for (int j = -1; j <= kSide; ++j) {
-      for (int k = -1; k <= kSide; ++k) {
+  for (int i = -1; i < kSide + step; i += step) {
+    for (int j = -1; j < kSide + step; j += step) {
+      for (int k = -1; k < kSide + step; k += step) {
         winds_[apronIndex(i, j, k)] =
             static_cast<float>(winding_.at(origin_ + glm::dvec3(i, j, k)));
       }
     }
   }
+}
+
+// Fills in every other corner: along i between samples, then along j, then along k.
+void BlockKernel::interpolateWinding() {
+  for (const int stride : kApronStrides) {
+    for (int at = 0; at < kApron * kApron * kApron; ++at) {
+      if (at / stride % kApron % 2 == 0) continue;
+      winds_[at] = (winds_[at - stride] + winds_[at + stride]) / 2;
+    }
+  }
+}
+
+// Winding numbers of the block and its apron; where they pass ½ smoothly, without a triangle, the
+// distance to that level is (w - ½)/|∇w|.
+void BlockKernel::findInsideEverywhere(BlockKind kind) {
+  sampleWinding(kind == BlockKind::level ? 2 : 1);
+  if (kind == BlockKind::level) interpolateWinding();
   for (int corner = 0; corner < kCount; ++corner) {
     const int i = corner / (kSide * kSide), j = corner / kSide % kSide, k = corner % kSide;
     const int at = apronIndex(i, j, k);

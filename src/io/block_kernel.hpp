@@ -12,8 +12,10 @@
 namespace bozzetto {
 
 /// How the inside is found. `sheets`: the surface is the triangles; corners that no triangle parts
-/// are on one side. `holes`: the ½ level of the winding number also is surface here.
-enum class BlockKind : std::uint8_t { sheets, holes };
+/// are on one side. `rim`: the same, but an open edge is near: one corner may not speak for all.
+/// `holes`: the ½ level of the winding number also is surface here. `level`: it alone is, and
+/// smooth: every other corner is asked.
+enum class BlockKind : std::uint8_t { sheets, rim, holes, level };
 
 /// A block to compute. `block` is relative to the grid mesh's first block.
 struct BlockTask {
@@ -41,8 +43,11 @@ class BlockKernel {
   void findNearest(const BlockTask& task, Sheets sheets);
   void visitTriangle(std::uint32_t number, Sheets sheets);
   bool isSurface(const DistanceTriangle& triangle, const NearestPoint& nearest) const;
-  void findInsideByRegions(BlockTask& task);
-  void findInsideEverywhere();
+  bool findInsideByRegions(BlockKind kind);
+  bool regionAgrees(BlockKind kind, double winding) const;
+  void findInsideEverywhere(BlockKind kind);
+  void sampleWinding(int step);
+  void interpolateWinding();
   void growRegion(int start);
   bool hasInsideNeighbour(int at) const;
   bool contradictsWinding() const;

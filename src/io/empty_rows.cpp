@@ -85,7 +85,7 @@ class OpenBlocks {
       forNeighbours(key, [&](Key other) {
         passes = passes || (at(other) != State::touched && isInside(at(other)) != isInside(state));
       });
-      if (passes) found.push_back({key, BlockKind::holes, {}});
+      if (passes) found.push_back({key, BlockKind::level, {}});
     });
     return found;
   }
@@ -102,16 +102,21 @@ class OpenBlocks {
     return rows;
   }
 
-  // Touched blocks within one block of an open edge.
+  // Blocks with an open edge become holes, those next to them rims.
   void markHoles(std::vector<BlockTask>& tasks) const {
     std::vector<std::uint8_t> near(state_.size(), 0);
     for (const auto& pair : touchedBlocks(grid_.mesh.positions, grid_.openEdges, 1)) {
       const Key key = unpackBlock(pair.block);
-      near[indexOf(key)] = 1;
-      forNeighbours(key, [&](Key other) { near[indexOf(other)] = 1; });
+      near[indexOf(key)] = 2;
+      forNeighbours(key, [&](Key other) {
+        near[indexOf(other)] = std::max<std::uint8_t>(near[indexOf(other)], 1);
+      });
     }
     for (auto& task : tasks) {
-      if (near[indexOf(task.block)] != 0) task.kind = BlockKind::holes;
+      const auto nearness = near[indexOf(task.block)];
+      const bool level = task.kind == BlockKind::level;
+      if (nearness == 2 || (nearness == 1 && level)) task.kind = BlockKind::holes;
+      if (nearness == 1 && !level) task.kind = BlockKind::rim;
     }
   }
 
@@ -172,11 +177,11 @@ std::vector<KeyRun> emptyRows(const GridMesh& grid, const WindingTree& winding,
   OpenBlocks blocks(grid, winding);
   blocks.markTouched(tasks);
   blocks.classify(progress);
-  blocks.markHoles(tasks);
   const auto level = blocks.levelBlocks();
   tasks.insert(tasks.end(), level.begin(), level.end());
   std::sort(tasks.begin(), tasks.end(),
             [](const BlockTask& a, const BlockTask& b) { return a.block < b.block; });
+  blocks.markHoles(tasks);
   blocks.markTouched(level);
   return blocks.solidRows();
 }

@@ -10,8 +10,8 @@ namespace bozzetto {
 
 /// Solid runs between the blocks of `tasks` (in key order), relative to the grid mesh's first
 /// block. Of closed meshes one winding number a gap tells. Of open meshes every block is asked,
-/// blocks near open edges become `holes`, and so do those added to `tasks` (which stays in order)
-/// because the ½ level of the winding number passes through them.
+/// blocks near open edges become `holes` or `rim`, and blocks that the ½ level of the winding
+/// number passes through are added to `tasks` (which stays in order).
 std::vector<KeyRun> emptyRows(const GridMesh& grid, const WindingTree& winding,
                               std::vector<BlockTask>& tasks, Progress& progress);
 
