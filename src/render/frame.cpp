@@ -5,6 +5,7 @@
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "render/studio.hpp"
 
@@ -16,7 +17,8 @@ constexpr double kStageReach = 7.5;          // of all that is drawn, floor corn
 constexpr double kFloorHalf = 5;             // stage units
 constexpr glm::dvec2 kKeyBoxHalf(.40, .30);  // tangent units, as in environment.cpp
 // How much of the box the light comes from: the whole would be photographic but shapeless.
-constexpr double kBoxUsed = .55;
+constexpr double kBoxUsed = .42;
+constexpr double kFullTurn = 2 * std::numbers::pi;
 constexpr double kBackgroundHeight = .52;  // where the paper roll is brightest
 
 // The corner next to `cells`, counted from `base`; inside the workspace.
@@ -81,6 +83,13 @@ double recurrence(double ratio, int n) {
   return x - std::floor(x) - .5;
 }
 
+// The n-th place in the disk of radius 1; any run of them is spread evenly.
+glm::vec4 tapAt(int n) {
+  const double radius = std::sqrt(recurrence(.7548776662466927, n) + .5);
+  const double angle = kFullTurn * recurrence(.5698402909980532, n);
+  return glm::vec4(radius * std::cos(angle), radius * std::sin(angle), 0, 0);
+}
+
 }  // namespace
 
 // Roberts's R2 and R3-like sequences: the plastic number and its kin.
@@ -102,7 +111,7 @@ Frame makeFrame(const Shot& anywhere, const Look& look, const Slice& slice) {
   const glm::dvec3 eye = camera.eye();
   const Key localAnchor = latticePoint(eye, base);
   const glm::dvec3 anchor = place(localAnchor);
-  Frame frame;
+  Frame frame{};
   frame.anchor = base + localAnchor;
   frame.eyeAboveFloor =
       camera.projection == Projection::perspective ? eye.y > stage.floor : axes[2].y >= 0;
@@ -121,9 +130,12 @@ Frame makeFrame(const Shot& anywhere, const Look& look, const Slice& slice) {
   block.shadowFromCells = shadowMatrix(shot, axes, slice, anchor);
   block.worldFromView = glm::dmat4(axes);
   block.viewport = glm::vec4(shot.width, shot.height, .5, kBackgroundHeight);
-  block.stage =
-      glm::vec4(stage.unit, look.dither, camera.projection == Projection::perspective, slice.index);
-  block.shadowing = slice.one ? glm::vec4(.0085, .030, cast, 16) : glm::vec4(.0045, .010, cast, 4);
+  const bool perspective = camera.projection == Projection::perspective;
+  block.stage = glm::vec4(stage.unit, look.dither, perspective, slice.one ? kFullTurn : .6);
+  const int taps = slice.one ? 16 : 4;
+  for (int n = 0; n < taps; ++n) block.taps[n] = tapAt(slice.index * taps + n);
+  block.shadowing =
+      slice.one ? glm::vec4(.0085, .030, cast, taps) : glm::vec4(.0055, .024, cast, taps);
   block.floorPlane = glm::vec4(floor, kFloorHalf * stage.unit);
   block.extra = glm::vec4(FloorOcclusion::kHalfUnits * stage.unit, frame.eyeAboveFloor, scale, 0);
   return frame;

@@ -22,6 +22,7 @@ Slice sliceAt(int n);
 struct FrameBlock {
   glm::mat4 clipFromCells, viewFromCells, shadowFromCells, worldFromView;
   glm::vec4 viewport, stage, shadowing, floorPlane, extra;
+  glm::vec4 taps[16];
 };
 
 /// What one slice needs. `anchor` is the lattice point next to the eye: the GPU sees positions

@@ -100,7 +100,7 @@ void Renderer::Impl::drawShadowMap(const Frame& frame) {
   glClear(GL_DEPTH_BUFFER_BIT);
   const Enabled test(GL_DEPTH_TEST), cull(GL_CULL_FACE);
   programs.depth.use();
-  patches.draw(programs.depth, frame.anchor);
+  patches.draw(programs.depth, frame.anchor, frame.block.shadowFromCells);
 }
 
 // Premultiplied; the floor leaves no depth and is not there from below.
@@ -132,7 +132,7 @@ void Renderer::Impl::drawClay(const Frame& frame, const Look& look) {
   const gl::Program& program = programFor(look);
   program.use();
   if (look.mode == Mode::glass) return drawGlass(frame);
-  patches.draw(program, frame.anchor);
+  patches.draw(program, frame.anchor, frame.block.clipFromCells);
   if (look.mode == Mode::wire) drawWire(frame);
 }
 
@@ -144,10 +144,10 @@ void Renderer::Impl::drawGlass(const Frame& frame) {
     glCullFace(hidden);
     glClear(GL_DEPTH_BUFFER_BIT);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    patches.draw(programs.glass, frame.anchor);
+    patches.draw(programs.glass, frame.anchor, frame.block.clipFromCells);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthFunc(GL_EQUAL);
-    patches.draw(programs.glass, frame.anchor);
+    patches.draw(programs.glass, frame.anchor, frame.block.clipFromCells);
     glDepthFunc(GL_LESS);
   }
 }
@@ -160,7 +160,7 @@ void Renderer::Impl::drawWire(const Frame& frame) {
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   programs.wire.use();
   programs.wire.set("ink", glm::vec4(.10f, .16f, .28f, .62f));
-  patches.draw(programs.wire, frame.anchor);
+  patches.draw(programs.wire, frame.anchor, frame.block.clipFromCells);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDepthMask(GL_TRUE);
 }

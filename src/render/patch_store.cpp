@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <glm/geometric.hpp>
 
 namespace bozzetto {
 namespace {
 
 constexpr int kChunkShift = 6;
+constexpr int kChunkCells = 1 << kChunkShift;
 
 std::int16_t signed16(float v) {
   return std::int16_t(std::lround(std::clamp(v, -1.f, 1.f) * 32767));
@@ -17,6 +19,20 @@ std::uint8_t unsigned8(float v) { return std::uint8_t(std::lround(std::clamp(v, 
 glm::vec3 difference(Key a, Key b) {
   return {float(std::int64_t{a.i} - b.i), float(std::int64_t{a.j} - b.j),
           float(std::int64_t{a.k} - b.k)};
+}
+
+// False when all corners of the chunk at `origin` lie beyond one side of the view.
+bool touchesClip(const glm::vec3& origin, const glm::mat4& clip) {
+  int outside[6] = {};
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 step(corner & 4 ? 1 : 0, corner & 2 ? 1 : 0, corner & 1 ? 1 : 0);
+    const glm::vec4 p = clip * glm::vec4(origin + step * float(kChunkCells), 1);
+    for (int axis = 0; axis < 3; ++axis) {
+      outside[2 * axis] += p[axis] < -p.w;
+      outside[2 * axis + 1] += p[axis] > p.w;
+    }
+  }
+  return std::none_of(outside, outside + 6, [](int count) { return count == 8; });
 }
 
 void attribute(GLuint location, GLint count, GLenum type, std::size_t offset, GLsizei stride) {
@@ -51,7 +67,7 @@ std::vector<PatchStore::Vertex> PatchStore::packed(const PatchVertices& patch, g
 void PatchStore::upload(const PatchVertices& patch) {
   if (patch.indices.empty()) return remove(patch.origin);
   const Key key = chunkOf(patch.origin);
-  const glm::vec3 shift = difference(patch.origin, key * (1 << kChunkShift));
+  const glm::vec3 shift = difference(patch.origin, key * kChunkCells);
   chunks_[key].put(patch.origin, packed(patch, shift),
                    {patch.indices.begin(), patch.indices.end()});
 }
@@ -69,13 +85,27 @@ std::size_t PatchStore::triangleCount() const {
   return sum;
 }
 
-void PatchStore::draw(const gl::Program& program, Key anchor) const {
-  const GLint place = program.at("chunkOrigin");
+void PatchStore::draw(const gl::Program& program, Key anchor,
+                      const glm::mat4& clipFromCells) const {
+  struct Seen {
+    float distance;
+    glm::vec3 origin;
+    const Chunk* chunk;
+  };
+  std::vector<Seen> seen;
   for (const auto& [key, chunk] : chunks_) {
-    const glm::vec3 origin = difference(key * (1 << kChunkShift), anchor);
+    const glm::vec3 origin = difference(key * kChunkCells, anchor);
+    if (!touchesClip(origin, clipFromCells)) continue;
+    const glm::vec3 middle = origin + kChunkCells / 2.f;
+    seen.push_back({glm::dot(middle, middle), origin, &chunk});
+  }
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const Seen& a, const Seen& b) { return a.distance < b.distance; });
+  const GLint place = program.at("chunkOrigin");
+  for (const auto& [distance, origin, chunk] : seen) {
     glUniform3f(place, origin.x, origin.y, origin.z);
-    glBindVertexArray(chunk.array.get());
-    glDrawElements(GL_TRIANGLES, GLsizei(chunk.indexRanges.size()), GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(chunk->array.get());
+    glDrawElements(GL_TRIANGLES, GLsizei(chunk->indexRanges.size()), GL_UNSIGNED_INT, nullptr);
   }
   glBindVertexArray(0);
 }

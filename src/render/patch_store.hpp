@@ -16,9 +16,9 @@ class PatchStore {
   void clear() { chunks_.clear(); }
   std::size_t triangleCount() const;
 
-  /// Draws every chunk with the program in use, whose uniform `chunkOrigin` gets the chunk's place
-  /// in cells from `anchor`.
-  void draw(const gl::Program& program, Key anchor) const;
+  /// Draws the chunks that `clipFromCells` (cells from `anchor`) can see, nearest to the anchor
+  /// first, with the program in use, whose uniform `chunkOrigin` gets each chunk's place.
+  void draw(const gl::Program& program, Key anchor, const glm::mat4& clipFromCells) const;
 
  private:
   // 28 bytes a vertex, as the shaders read it.
