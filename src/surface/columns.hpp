@@ -28,7 +28,12 @@ class ColumnCursor {
 
   ColumnCursor() { blocks_.fill(BlockWindow<Side>::empty()); }
   ColumnCursor(const Column<Side>& column, FieldNode<Side> end)
-      : node_(column.first), end_(end), i_(column.i), j_(column.j), present_(true) {}
+      : node_(column.first),
+        next_(column.first == end ? end : std::next(column.first)),
+        end_(end),
+        i_(column.i),
+        j_(column.j),
+        present_(true) {}
 
   /// Lets blocks()[0] be the one at k - 1. k never goes down.
   void moveTo(std::int32_t k) {
@@ -59,19 +64,19 @@ class ColumnCursor {
 
   // Calls come with ascending keys.
   const Block* fetch(std::int32_t k) {
-    while (inColumn() && node_->first.k + node_->second.length <= k) ++node_;
+    while (inColumn() && node_->first.k + node_->second.length <= k) advance();
     if (!inColumn() || node_->first.k > k) return BlockWindow<Side>::empty();
-    prefetchNext();
     return node_->second.block.get();
   }
 
-  // The range of the block after this one is asked for next.
-  void prefetchNext() const {
-    const FieldNode<Side> next = std::next(node_);
-    if (Side > 1 && next != end_) __builtin_prefetch(&next->second.block->low);
+  // The range of the block after the next is soon asked for.
+  void advance() {
+    node_ = next_;
+    if (next_ != end_) ++next_;
+    if (Side > 1 && next_ != end_) __builtin_prefetch(&next_->second.block->low);
   }
 
-  FieldNode<Side> node_, end_;
+  FieldNode<Side> node_, next_, end_;
   std::int32_t i_ = 0, j_ = 0, k_ = 0;
   bool present_ = false, placed_ = false;
   std::array<const Block*, kSpan> blocks_;

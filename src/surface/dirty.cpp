@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
-#include <map>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -55,16 +53,41 @@ bool surelyAllDirty(const CornerBlock<Side>* before, const CornerBlock<Side>* af
   return highA < lowB || highB < lowA;
 }
 
-template <int Side>
-std::array<Reach, 3> reachOf(const DirtyRows<Side>& rows) {
-  std::uint32_t i = 0, j = 0, k = 0;
-  for (int row = 0; row < Side * Side; ++row) {
-    if (rows[row] == 0) continue;
-    i |= 1u << row / Side;
-    j |= 1u << row % Side;
-    k |= rows[row];
+// The places along each axis that hold a dirty corner, as bits.
+struct TouchedPlaces {
+  std::array<std::uint32_t, 3> bits{};
+
+  void add(int i, int j, std::uint32_t k) {
+    bits[0] |= 1u << i;
+    bits[1] |= 1u << j;
+    bits[2] |= k;
   }
-  return {reachOf(i, Side), reachOf(j, Side), reachOf(k, Side)};
+  std::array<Reach, 3> reach(int side) const {
+    return {reachOf(bits[0], side), reachOf(bits[1], side), reachOf(bits[2], side)};
+  }
+};
+
+constexpr std::array<Reach, 3> kFelt{Reach::both, Reach::both, Reach::both};
+
+// Corners of the block first: when they changed, nothing more need be read. Inside a large dab
+// most blocks end here.
+template <int Side>
+std::array<Reach, 3> reachOf(const CornerBlock<Side>* before, const CornerBlock<Side>* after) {
+  if (surelyAllDirty(before, after)) return kFelt;
+  TouchedPlaces places;
+  if (before != nullptr && after != nullptr) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const int i = (corner >> 2) * (Side - 1), j = (corner >> 1 & 1) * (Side - 1),
+                k = (corner & 1) * (Side - 1), at = BlockGeometry<Side>::indexOf(i, j, k);
+      if (before->value[at] != after->value[at]) places.add(i, j, 1u << k);
+    }
+    if (places.reach(Side) == kFelt) return kFelt;
+  }
+  const DirtyRows<Side> rows = dirtyRows<Side>(before, after);
+  for (int row = 0; row < Side * Side; ++row) {
+    if (rows[row] != 0) places.add(row / Side, row % Side, rows[row]);
+  }
+  return places.reach(Side);
 }
 
 }  // namespace
@@ -91,21 +114,13 @@ std::vector<TouchedRun> touchedRuns(const Delta<CornerBlock<Side>>& delta) {
       const auto& change = delta.changes[n];
       touched[n].run = {change.key, change.length};
       if (change.length > 1) continue;
-      touched[n].reach = reachOf<Side>(dirtyRows<Side>(change.before.get(), change.after.get()));
+      touched[n].reach = reachOf<Side>(change.before.get(), change.after.get());
     }
   });
   return touched;
 }
 
 namespace {
-
-// Eight rows of eight corners as one number: bit 8 j + k.
-using Layer = std::uint64_t;
-
-template <int Side>
-bool cornerDirty(const DirtyRows<Side>& rows, int i, int j, int k) {
-  return (rows[i * Side + j] >> k & 1) != 0;
-}
 
 // Cubes of the block at `key` with a dirty corner.
 template <int Side, class Find>

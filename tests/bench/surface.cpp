@@ -16,40 +16,57 @@ namespace {
 constexpr double kBall = 256;
 constexpr int kDabs = 50;
 
-// Fills blocks of `low`…`high` from value(i, j, k); uniform ones become interned runs.
-template <class Value>
-Clay clayFrom(std::int32_t low, std::int32_t high, Value&& value) {
+// Fills blocks of `low`…`high` from value(i, j, k); uniform ones become interned runs. skip(key)
+// says which blocks are surely full, surely empty, or to be filled corner by corner.
+enum class Content { empty, full, mixed };
+
+template <class Value, class Skip>
+Clay clayFrom(std::int32_t low, std::int32_t high, Value&& value, Skip&& skip) {
   Clay clay;
-  for (std::int32_t i = low; i <= high; ++i) {
-    Edit<Clay::Block> edit(clay.tree);
+  Edit<Clay::Block> edit(clay.tree);
+  const auto full = Clay::Block::uniform(1, packAttributes({}));
+  for (std::int32_t i = low; i <= high; ++i)
     for (std::int32_t j = low; j <= high; ++j)
       for (std::int32_t k = low; k <= high; ++k) {
+        const Content content = skip(Key{i, j, k});
+        if (content == Content::full) edit.replace({{i, j, k}, 1}, full);
+        if (content != Content::mixed) continue;
         Clay::Block& block = edit.write({i, j, k});
         for (int n = 0; n < 512; ++n)
           block.value[n] = value(i * 8 + (n >> 6), j * 8 + (n >> 3 & 7), k * 8 + (n & 7));
         block.attributes.fill(packAttributes({}));
       }
-    edit.commit();
-  }
+  edit.commit();
   return clay;
 }
 
 Clay solidBall() {
   const auto blocks = static_cast<std::int32_t>(kBall / 8) + 1;
-  return clayFrom(-blocks, blocks, [](int i, int j, int k) {
-    const double distance = std::sqrt(double(i) * i + double(j) * j + double(k) * k);
-    return static_cast<float>(std::clamp(0.5 + (kBall - distance) / 3, 0.0, 1.0));
-  });
+  const auto distance = [](double x, double y, double z) {
+    return std::sqrt(x * x + y * y + z * z);
+  };
+  return clayFrom(
+      -blocks, blocks,
+      [&](int i, int j, int k) {
+        return static_cast<float>(std::clamp(0.5 + (kBall - distance(i, j, k)) / 3, 0.0, 1.0));
+      },
+      [&](Key b) {
+        const double d = distance(b.i * 8 + 3.5, b.j * 8 + 3.5, b.k * 8 + 3.5) - kBall;
+        return d > 9 ? Content::empty : d < -9 ? Content::full : Content::mixed;
+      });
 }
 
 Clay gyroid(int size) {
   const double scale = 2 * 3.14159265358979 / 32;
-  return clayFrom(0, size / 8 - 1, [scale](int i, int j, int k) {
-    const double x = i * scale, y = j * scale, z = k * scale;
-    const double g =
-        std::sin(x) * std::cos(y) + std::sin(y) * std::cos(z) + std::sin(z) * std::cos(x);
-    return static_cast<float>(std::clamp(0.5 + g, 0.0, 1.0));
-  });
+  return clayFrom(
+      0, size / 8 - 1,
+      [scale](int i, int j, int k) {
+        const double x = i * scale, y = j * scale, z = k * scale;
+        const double g =
+            std::sin(x) * std::cos(y) + std::sin(y) * std::cos(z) + std::sin(z) * std::cos(x);
+        return static_cast<float>(std::clamp(0.5 + g, 0.0, 1.0));
+      },
+      [](Key) { return Content::mixed; });
 }
 
 struct Point {
