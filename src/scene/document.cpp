@@ -1,24 +1,13 @@
 #include "bozzetto/scene/document.hpp"
 
-#include <sys/random.h>
-
-#include <cerrno>
 #include <random>
 
 namespace bozzetto {
 
 SceneIdentity SceneIdentity::random() {
+  std::random_device source;
   SceneIdentity identity;
-  std::size_t done = 0;
-  while (done < identity.bytes.size()) {
-    const ssize_t got = ::getrandom(&identity.bytes[done], identity.bytes.size() - done, 0);
-    if (got < 0 && errno != EINTR) break;
-    if (got > 0) done += static_cast<std::size_t>(got);
-  }
-  std::random_device fallback;
-  for (; done < identity.bytes.size(); ++done) {
-    identity.bytes[done] = static_cast<std::uint8_t>(fallback());
-  }
+  for (std::uint8_t& byte : identity.bytes) byte = static_cast<std::uint8_t>(source());
   return identity;
 }
 
