@@ -83,9 +83,15 @@ std::array<Reach, 3> reachOf(const CornerBlock<Side>* before, const CornerBlock<
     }
     if (places.reach(Side) == kFelt) return kFelt;
   }
-  const DirtyRows<Side> rows = dirtyRows<Side>(before, after);
-  for (int row = 0; row < Side * Side; ++row) {
-    if (rows[row] != 0) places.add(row / Side, row % Side, rows[row]);
+  const CornerBlock<Side>* const none = BlockWindow<Side>::empty();
+  const CornerBlock<Side>& a = before != nullptr ? *before : *none;
+  const CornerBlock<Side>& b = after != nullptr ? *after : *none;
+  for (int n = 0; n < Side && places.reach(Side) != kFelt; ++n) {
+    const int i = (n + Side - 1) % Side;  // last, first, and the others
+    for (int j = 0; j < Side; ++j) {
+      const std::uint8_t bits = differingBits<Side>(a, b, BlockGeometry<Side>::indexOf(i, j, 0));
+      if (bits != 0) places.add(i, j, bits);
+    }
   }
   return places.reach(Side);
 }

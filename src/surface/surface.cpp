@@ -184,7 +184,7 @@ void Surface<Side>::Sweep::dropUntil(Key key) {
 template <int Side>
 RefreshReport Surface<Side>::run(const Work& work) {
   // Look at the blocks in parallel.
-  constexpr std::size_t kGrain = Side == 8 ? 6 : 64;
+  constexpr std::size_t kGrain = Side == 8 ? 12 : 64;
   std::mutex mutex;
   std::vector<Sweep> sweeps;
   parallelFor(work.runs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
