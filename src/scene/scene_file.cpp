@@ -78,6 +78,12 @@ bool samePlace(const fs::path& a, const fs::path& b) {
   return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
 }
 
+// More than half of the pages hold nothing any more: time for a new file.
+bool mostlyFree(Database& database) {
+  Statement free(database, "PRAGMA freelist_count"), all(database, "PRAGMA page_count");
+  return free.step() && all.step() && 2 * free.number(0) > all.number(0);
+}
+
 }  // namespace
 
 std::optional<SceneFile::FileStamp> SceneFile::stampOf(const fs::path& path) {
@@ -119,6 +125,7 @@ SaveReport SceneFile::saveWhole(const fs::path& path, const Document& document,
 
 SaveReport SceneFile::saveChanges(const Document& document, Progress& progress) {
   Database database = Database::forWriting(path_, path_.string());
+  if (mostlyFree(database)) return saveWhole(path_, document, progress);
   database.run("PRAGMA journal_mode=DELETE; PRAGMA synchronous=FULL");
   const bool sameHead = saved_.field.scale == document.field.scale;
   const TileChanges changes{changedTiles(saved_.field.tree, document.field.tree),

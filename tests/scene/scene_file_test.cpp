@@ -123,13 +123,27 @@ TEST(SceneFile, randomEditsSavedInPlaceEqualTheDocument) {
     if (pick(6) == 0) document.parts.shelf.pop_back();
     if (document.parts.shelf.empty()) document.parts.shelf = sampleDocument().parts.shelf;
     if (pick(8) == 0) document = file.load(folder / "a.bzt");
-    ASSERT_EQ(file.save(folder / "a.bzt", document).kind, SaveKind::changes);
+    file.save(folder / "a.bzt", document);
     ASSERT_EQ(checkScene(folder / "a.bzt"), std::nullopt);
     expectEqual(document, loadScene(folder / "a.bzt"));
   }
   document.field.tree.clear();
   file.save(folder / "a.bzt", document);
   EXPECT_TRUE(loadScene(folder / "a.bzt").field.tree.empty());
+}
+
+TEST(SceneFile, aFileThatIsMostlyFreeIsWrittenAnew) {
+  const Folder folder;
+  SceneFile file;
+  Document document = sampleDocument();
+  const auto large = file.save(folder / "a.bzt", document).fileBytes;
+  document.field.tree.clear();
+  EXPECT_EQ(file.save(folder / "a.bzt", document).fileBytes, large);
+  document.parts.settings["name"] = "Nothing";
+  const SaveReport report = file.save(folder / "a.bzt", document);
+  EXPECT_EQ(report.kind, SaveKind::whole);
+  EXPECT_LT(report.fileBytes, large / 2);
+  expectEqual(document, loadScene(folder / "a.bzt"));
 }
 
 TEST(SceneFile, aFileThatSomebodyElseTouchedIsWrittenWhole) {
