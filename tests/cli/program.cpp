@@ -1,0 +1,63 @@
+#include "cli/program.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace bozzetto::testing {
+namespace fs = std::filesystem;
+
+std::string textOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+namespace {
+
+Outcome runShell(const std::string& command) {
+  const Folder folder;
+  const std::string out = folder / "out", err = folder / "err";
+  const int status =
+      std::system(("{ " + command + "; } > " + out + " 2> " + err + " < /dev/null").c_str());
+  const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  return {code, textOf(out), textOf(err)};
+}
+
+}  // namespace
+
+Outcome runProgram(const std::string& arguments) {
+  return runShell(std::string(BOZZETTO_PROGRAM) + " " + arguments);
+}
+
+Outcome runLimited(const std::string& arguments, int kibibytes) {
+  // The shell counts blocks of 512 bytes.
+  return runShell("ulimit -f " + std::to_string(2 * kibibytes) + "; " BOZZETTO_PROGRAM " " +
+                  arguments);
+}
+
+Folder::Folder() {
+  std::string name = (fs::temp_directory_path() / "bozzetto-test-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) std::abort();
+  path_ = name;
+}
+
+Folder::~Folder() { fs::remove_all(path_); }
+
+std::string Folder::write(const std::string& name, const std::string& text) const {
+  std::ofstream(*this / name, std::ios::binary) << text;
+  return *this / name;
+}
+
+std::string Folder::listing() const {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(path_)) names.insert(entry.path().filename());
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : " ") + name;
+  return list;
+}
+
+}  // namespace bozzetto::testing

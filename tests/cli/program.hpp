@@ -1,0 +1,39 @@
+// Runs the program as a user would and keeps what it says.
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace bozzetto::testing {
+
+struct Outcome {
+  int code = -1;  ///< exit code; 128 + n when signal n ended it
+  std::string out, err;
+};
+
+/// `arguments` as typed into a shell.
+Outcome runProgram(const std::string& arguments);
+
+/// The same where no file may grow beyond so many KiB.
+Outcome runLimited(const std::string& arguments, int kibibytes);
+
+/// A folder of its own that goes away with it.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  /// Writes a text file and returns its path.
+  std::string write(const std::string& name, const std::string& text) const;
+  /// Names of all files in it.
+  std::string listing() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string textOf(const std::string& path);
+
+}  // namespace bozzetto::testing
