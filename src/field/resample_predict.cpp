@@ -104,12 +104,17 @@ Count countFiner(const Clay& field, double ratio) {
   return count;
 }
 
-// The corners of a block that are neither empty nor full: where new blocks will not be uniform.
-KeyBox slopeOf(const Block& block, int& corners) {
+// The corners of one eighth of a block that are neither empty nor full: where new blocks will not
+// be uniform. The whole eighth where it is uneven without a slope.
+KeyBox slopeOf(const Block& block, Key eighth, int& corners) {
   KeyBox box;
-  for (int n = 0; n < Block::kCount; ++n) {
-    if (!(block.value[n] > 0) || !(block.value[n] < block.high)) continue;
-    const Key at{n / 64, n / 8 % 8, n % 8};
+  bool empty = false, full = false;
+  for (int n = 0; n < 64; ++n) {
+    const Key at = eighth + Key{n / 16, n / 4 % 4, n % 4};
+    const float value = block.value[Block::Geometry::indexOf(at)];
+    empty |= !(value > 0);
+    full |= value >= block.high;
+    if (!(value > 0) || value >= block.high) continue;
     if (box.empty()) box = {at, at};
     for (const Axis axis : kAxes) {
       box.low[axis] = std::min(box.low[axis], at[axis]);
@@ -117,7 +122,18 @@ KeyBox slopeOf(const Block& block, int& corners) {
     }
     ++corners;
   }
-  return box.empty() ? KeyBox{{0, 0, 0}, {7, 7, 7}} : box;
+  return box.empty() && empty && full ? KeyBox{eighth, eighth + Key{3, 3, 3}} : box;
+}
+
+// The new blocks that a box of old corners reaches.
+void addReached(std::vector<Key>& reached, const KeyBox& box, double ratio) {
+  const auto blockAt = [&](std::int32_t corner, double by) {
+    return static_cast<std::int32_t>(std::floor((corner + by * ratio) / (8 * ratio)));
+  };
+  for (std::int32_t i = blockAt(box.low.i, -1); i <= blockAt(box.high.i, 1); ++i)
+    for (std::int32_t j = blockAt(box.low.j, -1); j <= blockAt(box.high.j, 1); ++j)
+      for (std::int32_t k = blockAt(box.low.k, -1); k <= blockAt(box.high.k, 1); ++k)
+        reached.push_back({i, j, k});
 }
 
 // Many old corners a new one: from the extent of the slopes, block by block.
@@ -132,15 +148,11 @@ Count countCoarser(const Clay& field, double ratio) {
     if (block.low <= 0) {
       for (const float value : block.value) inside += value > 0 ? 1 : 0;
     }
-    const KeyBox box = slopeOf(block, slope);
-    const auto blockAt = [&](std::int32_t corner, double by) {
-      return static_cast<std::int32_t>(std::floor((corner + by * ratio) / (8 * ratio)));
-    };
-    const Key low = key * 8 + box.low, high = key * 8 + box.high;
-    for (std::int32_t i = blockAt(low.i, -1); i <= blockAt(high.i, 1); ++i)
-      for (std::int32_t j = blockAt(low.j, -1); j <= blockAt(high.j, 1); ++j)
-        for (std::int32_t k = blockAt(low.k, -1); k <= blockAt(high.k, 1); ++k)
-          reached.push_back({i, j, k});
+    for (int n = 0; n < 8; ++n) {
+      const KeyBox box = slopeOf(block, Key{n >> 2, n >> 1 & 1, n & 1} * 4, slope);
+      if (box.empty()) continue;
+      addReached(reached, {key * 8 + box.low, key * 8 + box.high}, ratio);
+    }
   }
   std::sort(reached.begin(), reached.end());
   reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
