@@ -16,8 +16,9 @@ constexpr std::array<std::string_view, 6> kNames{"add",   "remove",     "erase",
 BOZZETTO_KERNEL bool otherColourKernel(const BlockView& block, Attributes tool) {
   Attributes differs = 0;
   for (int n = 0; n < block.count; ++n) {
-    const bool met = (block.potential[n] > 0) & (block.value[n] > 0);
-    differs |= met ? block.attributes[n] ^ tool : 0;
+    const Attributes other = block.attributes[n] ^ tool;
+    const auto met = positiveMask(block.potential[n]) & positiveMask(block.value[n]);
+    differs |= other & static_cast<Attributes>(met);
   }
   return (differs & kColourBits) != 0;
 }

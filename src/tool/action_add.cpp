@@ -13,9 +13,10 @@ struct AddRule {
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
     const float amount = pull(strength, potential[n], old.attributes);
     const float sum = old.value + amount;
-    const float value = sum < 1.0f ? sum : 1.0f;
+    const float value = lesser(sum, 1.0f);
     const Attributes painted = tool | (old.attributes & kHoldBits);
-    return {amount > 0 ? value : old.value, amount > 0 ? painted : old.attributes};
+    const auto hit = positiveMask(amount);
+    return {pick(hit, value, old.value), pick(hit, painted, old.attributes)};
   }
 };
 
@@ -27,9 +28,11 @@ struct AddBlendRule {
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
     const float amount = pull(strength, potential[n], old.attributes);
     const float sum = old.value + amount;
-    const float value = sum < 1.0f ? sum : 1.0f;
-    const Attributes mixed = blended(old.attributes, tool, amount / sum, amount > 1.0f / 64.0f);
-    return {amount > 0 ? value : old.value, amount > 0 ? mixed : old.attributes};
+    const float value = lesser(sum, 1.0f);
+    const Attributes mixed =
+        blended(old.attributes, tool, amount / sum, lessMask(1.0f / 64.0f, amount));
+    const auto hit = positiveMask(amount);
+    return {pick(hit, value, old.value), pick(hit, mixed, old.attributes)};
   }
 };
 

@@ -8,8 +8,8 @@ struct EraseRule {
   const float* potential;
 
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
-    const bool hit = (potential[n] > 0) & (old.attributes >> 24 < kHardHold);
-    return {hit ? 0.0f : old.value, old.attributes};
+    const auto hit = positiveMask(potential[n]) & yieldMask(old.attributes);
+    return {pick(hit, 0.0f, old.value), old.attributes};
   }
 };
 

@@ -9,9 +9,9 @@ struct PaintRule {
   Attributes tool;
 
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
-    const bool hit = (potential[n] > 0) & (old.attributes >> 24 < kHardHold);
+    const auto hit = positiveMask(potential[n]) & yieldMask(old.attributes);
     const Attributes painted = tool | (old.attributes & kHoldBits);
-    return {old.value, hit ? painted : old.attributes};
+    return {old.value, pick(hit, painted, old.attributes)};
   }
 };
 

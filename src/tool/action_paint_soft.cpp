@@ -11,9 +11,9 @@ struct PaintSoftRule {
 
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
     const float amount = pull(strength, potential[n], old.attributes);
-    const Attributes mixed =
-        blended(old.attributes, tool, amount / (amount + old.value), amount > 1.0f / 64.0f);
-    return {old.value, amount > 0 ? mixed : old.attributes};
+    const Attributes mixed = blended(old.attributes, tool, amount / (amount + old.value),
+                                     lessMask(1.0f / 64.0f, amount));
+    return {old.value, pick(positiveMask(amount), mixed, old.attributes)};
   }
 };
 

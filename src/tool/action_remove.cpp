@@ -10,7 +10,7 @@ struct RemoveRule {
 
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
     const float rest = old.value - pull(strength, potential[n], old.attributes);
-    return {rest > 0 ? rest : 0.0f, old.attributes};
+    return {positive(rest), old.attributes};
   }
 };
 

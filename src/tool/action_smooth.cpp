@@ -27,9 +27,10 @@ struct SmoothRule {
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
     const float amount = pull(smoothing.strength, smoothing.potential[n], old.attributes);
     const float value = smoothing.value(old, amount, n);
-    const float kept = value < kThinnest ? 0.0f : value;
+    const float kept = pick(lessMask(value, kThinnest), 0.0f, value);
     const Attributes mixed = (old.attributes & kHoldBits) | colour(old, amount, n);
-    return {amount > 0 ? kept : old.value, amount > 0 ? mixed : old.attributes};
+    const auto hit = positiveMask(amount);
+    return {pick(hit, kept, old.value), pick(hit, mixed, old.attributes)};
   }
 
   // Colours mix by the density that brings them.
@@ -53,8 +54,8 @@ BOZZETTO_KERNEL MassUnits droppedKernel(const BlockView& block, const Smoothing&
     const Corner old{block.value[n], block.attributes[n]};
     const float amount = pull(smoothing.strength, smoothing.potential[n], old.attributes);
     const float value = smoothing.value(old, amount, n);
-    const bool gone = (amount > 0) & (value < kThinnest);
-    sum += massUnits(gone ? value : 0.0f);
+    const auto gone = positiveMask(amount) & lessMask(value, kThinnest);
+    sum += massUnits(pick(gone, value, 0.0f));
   }
   return sum;
 }

@@ -2,17 +2,11 @@
 // they vectorise. The caller orders axes so that x is the shortest of those that are round.
 #pragma once
 #include <algorithm>
-#include <cmath>
 #include <glm/vec3.hpp>
 
-#include "bozzetto/base/simd.hpp"
+#include "tool/float_bits.hpp"
 
 namespace bozzetto {
-
-template <class Real>
-BOZZETTO_KERNEL Real positive(Real x) {
-  return x > 0 ? x : Real(0);
-}
 
 struct BallDistance {
   explicit BallDistance(const glm::dvec3& radii) : radius(radii.x) {}
@@ -44,7 +38,7 @@ struct EllipsoidDistance {
     for (int n = 0; n < kSteps; ++n) {
       const Real slope = (sx * sx * ix + sy * sy * iy) + sz * sz * iz;
       const Real moved = t + sum * (std::sqrt(sum) - 1) / (slope + Real(1e-30));
-      t = moved > lowest ? moved : lowest;
+      t = lowest + positive(moved - lowest);
       ix = 1 / (t + xx);
       iy = 1 / (t + yy);
       iz = 1 / (t + zz);
@@ -55,11 +49,11 @@ struct EllipsoidDistance {
     }
     // Inside, near the plane of the two long axes, the nearest point lies off that plane.
     const Real left = positive(1 - (sy * sy + sz * sz));
-    const bool deep = sum < Real(0.999);
-    const Real nx = rx * (deep ? std::sqrt(left) : sx), ny = ry * sy, nz = rz * sz;
+    const auto deep = lessMask(sum, Real(0.999));
+    const Real nx = rx * pick(deep, std::sqrt(left), sx), ny = ry * sy, nz = rz * sz;
     const Real dx = x - nx, dy = y - ny, dz = z - nz;
     const Real distance = std::sqrt((dx * dx + dy * dy) + dz * dz);
-    return sum0 > 1 ? distance : -distance;
+    return pick(lessMask(Real(1), sum0), distance, -distance);
   }
   glm::dvec3 radii;
 };
@@ -71,8 +65,8 @@ struct BoxDistance {
     const Real qx = x - static_cast<Real>(radii.x), qy = y - static_cast<Real>(radii.y),
                qz = z - static_cast<Real>(radii.z);
     const Real ox = positive(qx), oy = positive(qy), oz = positive(qz);
-    const Real larger = qx > qy ? qx : qy, most = larger > qz ? larger : qz;
-    return std::sqrt((ox * ox + oy * oy) + oz * oz) + (most < 0 ? most : Real(0));
+    const Real depth = lesser(lesser(positive(-qx), positive(-qy)), positive(-qz));
+    return std::sqrt((ox * ox + oy * oy) + oz * oz) - depth;
   }
   glm::dvec3 radii;
 };
@@ -85,8 +79,8 @@ struct CylinderDistance {
   template <class Real>
   BOZZETTO_KERNEL Real operator()(Real x, Real y, Real z) const {
     const Real across = round(x, Real(0), z), along = y - static_cast<Real>(half);
-    const Real oa = positive(across), ob = positive(along), most = across > along ? across : along;
-    return std::sqrt(oa * oa + ob * ob) + (most < 0 ? most : Real(0));
+    const Real oa = positive(across), ob = positive(along);
+    return std::sqrt(oa * oa + ob * ob) - lesser(positive(-across), positive(-along));
   }
   Round round;
   double half;

@@ -22,12 +22,12 @@ struct FillRule {
 
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
     const float rise = pull(1.0f, target[n] - old.value, old.attributes);
-    const bool held = old.attributes > kColourBits;
-    const bool raised = (target[n] > old.value) & (rise > 0);
-    const bool coloured = raised & (old.attributes >> 24 < kHardHold);
-    const float value = held ? old.value + rise : target[n];
-    return {raised ? value : old.value,
-            coloured ? colour | (old.attributes & kHoldBits) : old.attributes};
+    const auto free = signMask(static_cast<std::int32_t>(old.attributes >> 24) - 1);
+    const auto raised = lessMask(old.value, target[n]) & positiveMask(positive(rise));
+    const auto coloured = raised & yieldMask(old.attributes);
+    const float value = pick(free, target[n], old.value + rise);
+    return {pick(raised, value, old.value),
+            pick(coloured, colour | (old.attributes & kHoldBits), old.attributes)};
   }
 };
 

@@ -3,10 +3,9 @@
 // nearest corner of a box bounds the box.
 #pragma once
 #include <algorithm>
-#include <cmath>
 #include <glm/vec3.hpp>
 
-#include "bozzetto/base/simd.hpp"
+#include "tool/float_bits.hpp"
 
 namespace bozzetto {
 
@@ -21,16 +20,14 @@ struct CylinderGauge {
   explicit CylinderGauge(const glm::dvec3&) {}
   BOZZETTO_KERNEL float operator()(float x, float y, float z) const {
     const float round = x * x + z * z, flat = y * y;
-    return round > flat ? round : flat;
+    return greater(round, flat);
   }
 };
 
-// The smaller root of a·u² − 2·b·u + c = 0, for a of any sign: c / (b + √(b² − a·c)).
+// The smaller root of a·u² − 2·b·u + c = 0, for b and c ≥ 0 and a of any sign:
+// c / (b + √(b² − a·c)), 0 where all are 0.
 BOZZETTO_KERNEL float smallerRoot(float a, float b, float c) {
-  const float discriminant = b * b - a * c;
-  const float root = std::sqrt(discriminant > 0 ? discriminant : 0.0f);
-  const float sum = b + root;
-  return sum > 0 ? c / sum : 0.0f;
+  return c / (b + std::sqrt(positive(b * b - a * c)) + 1e-30f);
 }
 
 // A segment of half length l along y plus an ellipsoid with half axes (1, c, 1), l + c = 1.
@@ -46,7 +43,7 @@ class CapsuleGauge {
     // Beside the segment u² = round; beyond it (y − u·l)² = c²·(u² − round).
     const float u =
         smallerRoot(length_ * length_ - cap_ * cap_, y * length_, y * y + (cap_ * cap_) * round);
-    return y * y > round * (length_ * length_) ? u * u : round;
+    return pick(lessMask(round * (length_ * length_), y * y), u * u, round);
   }
 
  private:
@@ -77,8 +74,8 @@ class BoxGauge {
                 a2 = a.q * a.q + b.q * b.q;
     const float two = smallerRoot(c2, b2, a2);
     const float three = smallerRoot(c2 + c.core * c.core, b2 + c.q * c.core, a2 + c.q * c.q);
-    const float most = c.q > two * c.core ? three : two;
-    const float u = b.q > one * b.core ? most : one;
+    const float most = pick(lessMask(two * c.core, c.q), three, two);
+    const float u = pick(lessMask(one * b.core, b.q), most, one);
     return u * u;
   }
 
@@ -87,10 +84,10 @@ class BoxGauge {
     float q, core;
   };
   BOZZETTO_KERNEL static void order(Side& first, Side& second) {
-    const bool swap = first.q * second.core < second.q * first.core;
-    const Side greater{swap ? second.q : first.q, swap ? second.core : first.core};
-    second = {swap ? first.q : second.q, swap ? first.core : second.core};
-    first = greater;
+    const auto swap = lessMask(first.q * second.core, second.q * first.core);
+    const Side before = first;
+    first = {pick(swap, second.q, first.q), pick(swap, second.core, first.core)};
+    second = {pick(swap, before.q, second.q), pick(swap, before.core, second.core)};
   }
 
   float scale_[3], core_[3];
@@ -102,7 +99,7 @@ struct WyvillProfile {
   BOZZETTO_KERNEL float operator()(float u2) const {
     const float rest = 1.0f - u2;
     const float f = (rest * rest) * (1.0f - (4.0f / 9.0f) * u2);
-    return u2 < 1.0f ? f : 0.0f;
+    return pick(lessMask(u2, 1.0f), f, 0.0f);
   }
 };
 
@@ -112,8 +109,8 @@ struct BoxProfile {
     const float u = std::sqrt(u2);
     const float t = (u - kCore) / (1.0f - kCore);
     const float f = 1.0f - (t * t) * (3.0f - 2.0f * t);
-    const float fall = u <= kCore ? 1.0f : f;
-    return u2 < 1.0f ? fall : 0.0f;
+    const float fall = pick(lessMask(kCore, u), f, 1.0f);
+    return pick(lessMask(u2, 1.0f), fall, 0.0f);
   }
 };
 

@@ -1,6 +1,6 @@
 #include "tool/lowpass.hpp"
 
-#include "bozzetto/base/simd.hpp"
+#include "tool/float_bits.hpp"
 
 namespace bozzetto {
 namespace {
@@ -64,8 +64,10 @@ struct Colours {
 BOZZETTO_KERNEL Colours coloursBody(const float* value, const Attributes* attributes, int count) {
   Attributes any = 0, every = 0xffffff;
   for (int n = 0; n < count; ++n) {
-    any |= value[n] > 0 ? attributes[n] & 0xffffff : 0;
-    every &= value[n] > 0 ? attributes[n] : 0xffffff;
+    const Attributes colour = attributes[n] & 0xffffff;
+    const auto clay = static_cast<Attributes>(positiveMask(value[n]));
+    any |= colour & clay;
+    every &= colour | ~clay;
   }
   return {any, every};
 }

@@ -1,6 +1,5 @@
-#include "tool/vector_math.hpp"
-// (first: see there)
 #include "bozzetto/tool/potential.hpp"
+
 #include "tool/block_rows.hpp"
 #include "tool/gauge.hpp"
 

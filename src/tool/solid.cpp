@@ -1,8 +1,7 @@
-#include "tool/vector_math.hpp"
-// (first: see there)
+#include "tool/solid.hpp"
+
 #include "tool/block_rows.hpp"
 #include "tool/distance.hpp"
-#include "tool/solid.hpp"
 
 namespace bozzetto {
 namespace {
@@ -12,7 +11,7 @@ struct SlopeRule {
   Distance distance;
   BOZZETTO_KERNEL float operator()(float x, float y, float z) const {
     const float value = 0.5f - 0.5f * distance(x, y, z);
-    return value > 1 ? 1.0f : value > 0 ? value : 0.0f;
+    return lesser(positive(value), 1.0f);
   }
 };
 
