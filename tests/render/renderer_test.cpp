@@ -4,6 +4,7 @@
 
 #include "bozzetto/render/offscreen.hpp"
 #include "bozzetto/render/unpack.hpp"
+#include "render/stage_textures.hpp"
 #include "scenes.hpp"
 
 namespace bozzetto {
@@ -35,6 +36,12 @@ struct Loaded {
 const Loaded& theHead() {
   static const Loaded loaded;
   return loaded;
+}
+
+Look lookOf(Detail detail) {
+  Look look;
+  look.detail = detail;
+  return look;
 }
 
 Image still(Renderer& renderer, const Shot& shot) {
@@ -91,6 +98,34 @@ TEST(Renderer, SlicesAddUpAndRestart) {
   Shot wrong = loaded.shot();
   wrong.width = 9000;
   EXPECT_THROW(renderer.addSlice(wrong, {}), Error);
+}
+
+// What a window does: a frame of its own size into a framebuffer of its own.
+TEST(Renderer, DrawsIntoTheBoundFramebuffer) {
+  const Loaded& loaded = theHead();
+  const OffscreenContext context;
+  Renderer renderer;
+  for (const UnpackedPatch& patch : loaded.patches) renderer.uploadPatch(patch.view());
+  const Shot shot = loaded.shot();
+  const Target target(GL_RGBA8, shot.width, shot.height, Target::Depth::buffer);
+  target.bind();
+  for (const Detail detail : {Detail::baked, Detail::full}) {
+    renderer.draw(shot, lookOf(detail));
+    Image frame(shot.width, shot.height);
+    glReadPixels(0, 0, shot.width, shot.height, GL_RGBA, GL_UNSIGNED_BYTE, frame.pixels.data());
+    const Image refined = still(renderer, shot);
+    GLint bound = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    EXPECT_EQ(GLuint(bound), target.framebuffer.get());
+    // GL counts rows from the bottom.
+    double difference = 0;
+    for (int y = 0; y < shot.height; ++y) {
+      for (int x = 0; x < shot.width; ++x) {
+        difference += std::abs(frame.at(x, shot.height - 1 - y)[0] - refined.at(x, y)[0]);
+      }
+    }
+    EXPECT_LT(difference / (shot.width * shot.height), 8);
+  }
 }
 
 TEST(Offscreen, ContextsLiveBesideEachOther) {
