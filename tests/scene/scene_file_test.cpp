@@ -55,7 +55,7 @@ TEST(SceneFile, holdsClayFarOutAndLongRuns) {
   const Folder folder;
   Document document;
   constexpr std::int32_t rim = kWorkspaceRim / 8;
-  document.field.tree.put({1 - rim, rim - 1, -rim}, 2 * rim,
+  document.field.tree.put({1 - rim, rim - 1, -rim}, 2 * rim - 1,
                           CornerBlock<8>::uniform(0.25f, 0xff010203));
   testing::fill<8>(document.field,
                    {{kWorkspaceRim, 0, -kWorkspaceRim}, {kWorkspaceRim, 9, 2 - kWorkspaceRim}},
