@@ -70,10 +70,13 @@ def mouth():
     # A broad muzzle for the paint to sit on.
     r.line(r.front_line(curve([(0, -38), (18, -36), (34, -26), (43, -14)], 4), -4), 11, SKIN,
            strength=0.4)
-    smile = curve([(0, -37), (14, -35.5), (28, -29), (40, -16)], 4)
-    r.line(r.front_line(smile, 1), 5.5, DARK, name="remove", strength=0.5)
+    smile = curve([(0, -37.5), (14, -35.5), (28, -29), (41, -15)], 4)
+    r.line(r.front_line(smile, 1), 6.5, DARK, name="remove", strength=0.5)
+    r.line(r.front_line(smile, -2), 7, DARK, name="paint_soft", strength=0.7)
+    teeth = r.front_line(curve([(0, -34.5), (14, -32.5), (25, -28)], 4), -3)
+    r.line(teeth, 4, "#f6eeda", strength=0.5)
     upper = curve([(0, -31.5), (13, -29), (27, -23), (39, -12), (42, -10)], 4)
-    lower = curve([(0, -45), (14, -43), (29, -36), (40, -22), (43, -13)], 4)
+    lower = curve([(0, -48), (14, -45.5), (29, -37), (41, -22), (44, -12)], 4)
     r.line(tapered(r.front_line(upper, 0.5), 1, 0.5), 5, RED)
     r.line(tapered(r.front_line(lower, 1), 1.1, 0.5), 6, RED)
 
@@ -87,26 +90,32 @@ def ears():
 
 
 def brows():
-    for i in range(9):
-        t = i / 8
-        x = 10 + 32 * t
-        y = 50 + 12 * math.sin(math.pi * (0.2 + 0.7 * t))
-        p = r.front(x, y)
-        a = math.radians(70 - 75 * t)
-        q = r.front(x + 9 * math.cos(a), y + 9 * math.sin(a))
-        if p and q:
-            r.line(tapered([p, add(mix(p, q, 0.5), r.normal(p), 2), q], 1, 0.45), 4.4, HAIR)
+    r.mirror = ""
+    for side, lift in ((1, 4), (-1, 0)):
+        for i in range(17):
+            t = i / 16
+            x = 9 + 36 * t
+            y = 57 + lift + 11 * math.sin(math.pi * (0.12 + 0.82 * t)) + rng.uniform(-1, 1)
+            a = math.radians(80 - 95 * t + rng.uniform(-8, 8))
+            p = r.front(side * x, y)
+            q = r.front(side * (x + 8 * math.cos(a)), y + 8 * math.sin(a))
+            if p and q:
+                n = r.normal(p)
+                r.line(tapered([add(p, n, -1), add(mix(p, q, 0.5), n, 2.5), add(q, n, 1)], 1, 0.5),
+                       3.6, rng.choice(["#b8430f", HAIR]), spacing=0.12)
 
 
 def hair():
     """Curls: helices in two heaps at the sides and round the back."""
     r.mirror = ""
     for side in (1, -1):
-        for i in range(44):
+        for i in range(58):
             u, v = rng.random(), rng.random()
-            a = math.radians(62 + 112 * u) * side
-            e = math.radians(-16 + 66 * v * (1 - 0.25 * u))
+            a = math.radians(78 + 98 * u) * side
+            e = math.radians(-20 + 62 * v * (1 - 0.2 * u))
             d = (math.cos(e) * math.sin(a), math.sin(e), math.cos(e) * math.cos(a))
+            if abs(math.degrees(a)) < 104 and abs(math.degrees(e) - 2) < 17:
+                continue  # the ear
             p = r.toward((0, 16, -8), d, 120)
             n = unit(mix(d, (0.3 * side, rng.uniform(-0.5, 0.6), rng.uniform(-0.4, 0.4)), 0.45))
             radius = rng.uniform(7, 10)
@@ -149,9 +158,10 @@ def hat():
         return add(c, rotate(tilt, (x, y, z)))
     r.blob(at(0, 0, 0), (46, 5, 46), FELT, rotation=tilt)
     r.blob(at(0, 22, 0), (30, 28, 30), FELT, rotation=tilt)
-    r.blob(at(0, 10, 0), (31, 15, 31), FELT, rotation=tilt, shape="cylinder")
+    r.line([at(0, 4, 0), at(0, 18, 0)], 31, FELT)
     r.line([at(*p) for p in ring(45, 2, 40)], 5, FELT)
-    r.line([at(*p) for p in ring(32, 8, 40)], 4.5, BAND)
+    for y in (8, 13):
+        r.line([at(*p) for p in ring(32.5, y, 40)], 4.6, BAND)
     # A daisy in the band.
     heart = at(10, 22, 31)
     stem = add(heart, rotate(tilt, (2, 16, 8)))
@@ -189,7 +199,24 @@ def paint():
     for x, y, size in ((22, 40, 13), (22, 33, 14), (22, 50, 10), (22, 6, 9)):
         p = r.front(x, y)
         r.press(p, (size * 1.3, size * 1.4, 16), WHITE, 2, "paint_soft", 0.7, profile="box")
+    muzzle = r.front_line(curve([(0, -56), (20, -52), (38, -38), (50, -20), (51, -8)], 4))
+    r.tool(11, profile="box")
+    r.action("paint_soft", 0.5, WHITE)
+    r.stroke(muzzle, 0.3)
+    for line in (curve([(0, -23), (18, -20), (34, -10), (42, -3)], 4),):
+        r.tool(7, profile="box")
+        r.stroke(r.front_line(line), 0.3)
     r.press(r.front(42, -8), (17, 16, 16), "#d8452f", 2, "paint_soft", 0.5)
+    # Eye shadow on the lids, a star's rays above and below.
+    for a in range(20, 161, 20):
+        c, d = math.cos(math.radians(a)), math.sin(math.radians(a))
+        q = (22 + 20.5 * c, 22 + 15.5 * d)
+        lid = r.front(*q)
+        r.press(lid, (5, 5, 8), "#5fa3c4", 2, "paint_soft", 0.5, profile="box")
+    for line in ([(22, 47), (22, 58)], [(22, 5), (22, -4)]):
+        pts = r.front_line([mix(line[0], line[1], k / 5) for k in range(6)])
+        r.line([p + (1 - 0.5 * k / 5,) for k, p in enumerate(pts)], 3.4, "#1d2a52",
+               name="paint_soft", strength=0.8)
     # The eyes again, since paint spilt on them is white, and the irises.
     gaze = unit((0.05, -0.03, 1))
     p = add((22, 21, 44), gaze, 17)
@@ -208,10 +235,10 @@ eyes()
 mouth()
 nose()
 ears()
-brows()
 wrinkles()
 hair()
 paint()
+brows()
 ruff()
 hat()
 r.write(sys.argv[1])

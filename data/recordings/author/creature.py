@@ -16,23 +16,23 @@ def egg():
     """A bowl of clay: pressed out by hollowing, its rim broken away."""
     r.blob(EGG, (84, 76, 84), SHELL, times=3)
     r.blob(add(EGG, (0, -66, 0)), (40, 12, 40), SHELL)
-    # Hollow.
-    r.press(add(EGG, (0, 34, 0)), (84, 66, 84), name="remove", strength=0.8, times=3, profile="box")
-    r.press(add(EGG, (0, 6, 0)), (82, 60, 82), name="remove", strength=0.8, times=3, profile="box")
+    r.press(EGG, (82, 73, 82), name="remove", strength=1, times=3, profile="box")
     # Away with everything above the rim, in teeth.
-    n = 15
+    n = 13
     for k in range(n):
         a = 2 * math.pi * (k + rng.uniform(-0.2, 0.2)) / n
-        top = EGG[1] + 30 + 12 * math.sin(a * 2 + 1) + rng.uniform(-4, 6)
+        top = EGG[1] + 22 + 9 * math.sin(a * 2 + 1) + rng.uniform(-5, 6)
         p = (EGG[0] + 76 * math.sin(a), top, EGG[2] + 76 * math.cos(a))
         q = after(turn((0, 1, 0), math.degrees(a)), turn((0, 0, 1), 45))
-        r.press(add(p, (0, 16, 0)), (19, 19, 40), name="remove", strength=1, times=3, rotation=q,
+        size = rng.uniform(15, 21)
+        r.press(add(p, (0, 20, 0)), (size, size, 40), name="remove", strength=1, times=3, rotation=q,
                 shape="box", profile="box")
-    r.press(add(EGG, (0, 84, 0)), (110, 44, 110), name="remove", strength=1, times=3,
+    r.press(add(EGG, (0, 86, 0)), (110, 50, 110), name="remove", strength=1, times=3,
             shape="cylinder", profile="box")
 
 
 def shell_marks():
+    r.mirror = ""
     for k in range(70):
         a, e = rng.uniform(0, 360), rng.uniform(-62, 18)
         d = (math.cos(math.radians(e)) * math.sin(math.radians(a)), math.sin(math.radians(e)),
@@ -51,8 +51,10 @@ def shell_marks():
             points.append(add(EGG, (85 * d[0], 77 * d[1], 85 * d[2])))
             e -= rng.uniform(5, 9)
             a += rng.uniform(-9, 9)
-        r.line(tapered(points, 1, 0.3, 0.7), 3, name="remove", strength=0.3, pressure=["strength"])
-        r.line(points, 1.6, "#8d7458", name="paint_soft", strength=0.4)
+        points = [mix(p, q, k / 3) for p, q in zip(points, points[1:]) for k in range(3)]
+        r.line(tapered(points, 1, 0.3, 0.8), 1.8, name="remove", strength=0.35,
+               pressure=["strength"])
+        r.line(points, 1.3, "#5d4a3a", name="paint_soft", strength=0.5)
 
 
 def body():
@@ -68,7 +70,7 @@ def head():
     r.line([(0, 30, 22), (0, 24, 52), (0, 22, 62)], 25, SKIN)
     r.blob((13, 26, 66), (17, 15, 17), SKIN)
     r.line([(0, 8, 10), (6, 4, 44), (0, 3, 58)], 17, SKIN)
-    r.blob((36, 16, 10), (20, 20, 24), SKIN)
+    r.blob((33, 20, 6), (18, 18, 26), SKIN)
     # Brow ridges and the bridge of the snout.
     r.line(curve(tapered([(10, 56, 38), (24, 66, 36), (40, 66, 22), (50, 58, 2)], 0.6, 0.5), 5), 11,
            SKIN, strength=0.5)
@@ -82,6 +84,7 @@ def head():
 
 
 def face():
+    r.mirror = "x"
     # Sockets and eyes, set a little outward.
     r.press((32, 46, 38), (22, 20, 20), name="remove", strength=0.7)
     eye, radius = (28, 45, 25), 18
@@ -104,10 +107,12 @@ def face():
     touch(0, 0, (13.5, 13.5, 12), "#a8480f", 3, 0.6)
     touch(0, -1, (11, 11, 12), EYE, 4)
     touch(0, -4, (8, 5.5, 12), "#ffd95e", 2, 0.5)
-    touch(0, 0, (3.3, 11, 12), PUPIL, 5)
+    touch(0, 0, (4.3, 12.5, 12), PUPIL, 3)
     r.mirror = ""
     for s in (1, -1):
-        light = add((p[0] * s, p[1], p[2]), (3.6, 5.0, 1))
+        near = add((p[0] * s, p[1], p[2]), (4.6, 5.6, 0))
+        heart = (eye[0] * s, eye[1], eye[2])
+        light = add(heart, unit(sub(near, heart)), radius)
         r.press(light, (3, 3, 4), "#ffffff", 4, "paint_soft", 1, profile="box")
     r.mirror = "x"
     # Nostrils.
@@ -118,7 +123,7 @@ def face():
     for x, y in curve([(0, 12), (12, 10.5), (22, 12), (30, 12)], 4):
         p2 = r.front(x, y)
         mouth.append(add(p2, (0, 0, 1)))
-    for z, y in ((46, 13), (36, 14), (26, 17), (18, 23)):
+    for z, y in ((48, 12.5), (40, 13), (33, 15), (28, 19)):
         mouth.append(r.cast((120, y, z), (-1, 0, 0)))
     r.line(mouth, 4.2, MOUTH, name="remove", strength=0.5)
     r.line(mouth, 3.4, MOUTH, name="paint_soft", strength=0.6)
@@ -142,14 +147,14 @@ def horns():
         size = 12 * (1 - 0.85 * (i / (n - 1)) ** 1.3)
         q = between((0, 1, 0), d)
         loop = [add(path[i], rotate(q, p)) for p in ring(size * 1.04, 0, 14)]
-        r.line(loop, 2.2, "#b99a63", name="remove", strength=0.18)
-        r.line(loop, 1.8, "#a5824e", name="paint_soft", strength=0.25)
+        r.line(loop, 1 + 0.13 * size, name="remove", strength=0.015 + 0.011 * size)
+        r.line(loop, 1.8, "#b08d58", name="paint_soft", strength=0.12)
     r.line([path[0], path[0]], 15, SKIN)
     base = [add(path[1], rotate(between((0, 1, 0), sub(path[3], path[0])), p))
             for p in ring(11, 0, 18)]
     r.line(base, 4.5, SKIN)
     # Little horns on the cheek and brow.
-    for at, to, size in (((50, 18, 2), (72, 12, -12), 6), ((46, 4, 0), (62, -6, -10), 5),
+    for at, to, size in (((47, 20, 2), (71, 13, -12), 6), ((42, 6, 0), (60, -5, -10), 5),
                          ((50, 62, -2), (62, 72, -14), 5)):
         r.line([mix(at, to, k / 5) + (1 - 0.16 * k,) for k in range(6)], size, HORN, spacing=0.08)
 
@@ -159,13 +164,13 @@ def ears():
     r.mirror = "x"
     root = (50, 40, -24)
     tips = [(88, 76, -46), (100, 52, -54), (92, 26, -52)]
-    for i in range(13):
-        t = i / 6
+    for i in range(25):
+        t = i / 12
         k = min(int(t), 1)
         tip = mix(tips[k], tips[k + 1], t - k)
-        sag = 0.82 + 0.18 * abs(math.cos(math.pi * t))
+        sag = 0.86 + 0.12 * abs(math.cos(math.pi * t))
         tip = mix(root, tip, sag)
-        r.line([root, mix(root, tip, 0.5), tip], 3.4, FRILL, strength=0.4)
+        r.line([root, mix(root, tip, 0.5), tip], 3.0, FRILL, strength=0.5)
     for tip in tips:
         path = curve([root, add(mix(root, tip, 0.5), (0, 3, 3)), tip, mix(root, tip, 1.1)], 4)
         r.line(tapered(path, 1, 0.35, 0.8), 5, SKIN, spacing=0.08)
@@ -215,12 +220,12 @@ def scales():
         for k in range(3 + row % 2):
             p = r.front(3.5 + 6 * k + 3 * (row % 2), 44 + 5 * row - 2 * k)
             if p:
-                r.press(p, 3.6, DARK, name="add", strength=0.3)
+                r.press(p, 4.2, "#4f8260", name="add", strength=0.3)
 
 
 def throat():
     r.mirror = ""
-    for k in range(9):
+    for k in range(7):
         y = 0 - 9.5 * k
         points = []
         for x in (-17, -12, -6, 0, 6, 12, 17):
@@ -254,11 +259,80 @@ def tint():
     """Washes of dark over the crown, light under the jaw, warm cheeks."""
     r.mirror = "x"
     for x, y, size, colour, s in ((0, 82, 30, DARK, 0.2), (22, 84, 22, DARK, 0.16),
-                                  (38, 70, 14, DARK, 0.2), (44, 12, 16, "#b8c77a", 0.16),
+                                  (38, 70, 14, DARK, 0.2), (42, 14, 16, "#b8c77a", 0.12),
                                   (20, -2, 14, "#c9cf8c", 0.2)):
         p = r.front(x, y)
         if p:
             r.press(p, size, colour, 2, "paint_soft", s)
+
+
+def tail():
+    """Over the rim behind, round to the side."""
+    r.mirror = ""
+    path = curve([(24, -100, -40), (52, -50, -46), (78, -34, -36), (98, -52, -14), (104, -86, 8),
+                  (98, -112, 30), (92, -116, 52), (90, -100, 68)], 8)
+    n = len(path)
+    def size(i):
+        return 14 * (1 - 0.78 * i / (n - 1))
+    r.line([p + (size(i) / 14,) for i, p in enumerate(path)], 14, SKIN, spacing=0.07)
+    out = lambda i: unit((path[i][0], 0.6 * (path[i][1] + 140), path[i][2]))
+    for i in range(12, n - 6, 4):
+        p, d = add(path[i], out(i), size(i) * 0.8), unit(add(out(i), unit(sub(path[i + 1], path[i]))))
+        r.line([add(p, d, size(i) * 0.28 * j) + (1 - 0.17 * j,) for j in range(5)], size(i) * 0.55,
+               FRILL, spacing=0.1)
+    tip = path[-1]
+    for k in range(9):
+        a = math.radians(-64 + 16 * k)
+        reach = 33 - 15 * abs(math.sin(a)) - (2.5 if k % 2 else 0)
+        end = add(tip, (reach * math.sin(a) - 3, reach * math.cos(a), 4))
+        r.line(tapered([add(tip, (0, -6, -2)), mix(tip, end, 0.55), end], 0.9, 0.55), 4.4, FRILL,
+               spacing=0.1)
+    r.line(tapered([add(tip, (0, -8, 2)), add(tip, (-1, 10, 5)), add(tip, (-3, 27, 6))], 1, 0.4), 4,
+           SKIN, spacing=0.1)
+
+
+def nest():
+    """Straw and twigs, each a stroke."""
+    r.mirror = ""
+    colours = ["#c9a25a", "#a87f40", "#d9b978", "#8a6436", "#b8924e"]
+    for k in range(110):
+        t = k / 109
+        ring_radius = rng.uniform(62, 88) + 10 * t
+        y = -170 + 26 * t + rng.uniform(-4, 4)
+        start, span = rng.uniform(0, 360), rng.uniform(45, 95)
+        lean, flare = rng.uniform(-7, 7), rng.uniform(-6, 9)
+        points = []
+        for j in range(8):
+            a = math.radians(start + span * j / 7)
+            u = j / 7 - 0.5
+            rad = ring_radius + flare * u * 2 + 10 * max(0, abs(u) - 0.3) * (1 if k % 3 else -1)
+            points.append((rad * math.sin(a), y + lean * u * 2, rad * math.cos(a) - 6))
+        r.line(tapered(points, 0.6, 0.5), rng.uniform(2.6, 4.4), colours[k % 5], spacing=0.2,
+               strength=0.6)
+
+
+def neck_marks():
+    """Folds at the sides of the neck, dark stripes down its back."""
+    r.mirror = "x"
+    for k in range(5):
+        y = -4 - 13 * k
+        points = []
+        for deg in range(58, 131, 12):
+            a = math.radians(deg)
+            p = r.cast((90 * math.sin(a), y - 4 + 6 * math.sin(math.radians((deg - 58) * 2.4)),
+                        -14 + 90 * math.cos(a)), (-math.sin(a), 0, -math.cos(a)))
+            if p and p[0] < 50:
+                points.append(p)
+        if len(points) > 2:
+            r.line(tapered(points, 0.2, 0.2), 4, name="remove", strength=0.28,
+                   pressure=["strength"])
+    for k in range(7):
+        y = 4 - 11 * k
+        points = [r.cast((90 * math.sin(a), y, -14 + 90 * math.cos(a)),
+                         (-math.sin(a), 0, -math.cos(a)))
+                  for a in (math.radians(d) for d in (180, 160, 140, 120))]
+        if all(points):
+            r.line(tapered(points, 1, 0.4), 4.6, DARK, name="paint_soft", strength=0.4)
 
 
 egg()
@@ -271,6 +345,9 @@ tint()
 scales()
 crest()
 face()
-claws()
+neck_marks()
 shell_marks()
+claws()
+tail()
+nest()
 r.write(sys.argv[1])

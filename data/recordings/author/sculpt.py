@@ -242,12 +242,11 @@ class Recording:
         if most > 1:  # a pressure is at most 1
             points, radius = [tuple(p[:3]) + (p[3] / most,) for p in points], radius * most
         self.tool(tuple(radius / 0.64 * s for s in squash), rotation)
-        self.action(name, strength, colour)
         if pressure is None:
             pressure = ["size"] if len(points[0]) > 3 else ()
         if "size" in pressure and spacing == 0.25:
-            spacing = 0.125
-            self.action(name, strength * 0.6, colour)
+            spacing, strength = 0.125, strength * 0.6
+        self.action(name, strength, colour)
         self.stroke(points, spacing, pressure=pressure, **more)
 
     # Where the clay is.
@@ -361,7 +360,7 @@ class Recording:
         for p in points:
             hit = self.front(p[0], p[1])
             if hit:
-                out.append(add(hit, self.normal(hit), lift) + tuple(p[2:]))
+                out.append(add(hit, self.normal(hit), lift) + tuple(p[2:3]))
         return out
 
 

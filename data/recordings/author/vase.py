@@ -5,7 +5,7 @@ from sculpt import *
 
 r = Recording()
 CLAY, GLAZE, DEEP, CREAM, GOLD, LEAF = ("#b5673c", "#1d5f74", "#123a52", "#efe3c6", "#d79a32",
-                                        "#4f7d4a")
+                                        "#55794c")
 # Outer profile, foot to lip: radius, height.
 PROFILE = [(50, -128), (52, -120), (46, -112), (30, -104), (24, -96), (28, -86), (44, -72),
            (62, -50), (74, -24), (79, 2), (76, 28), (66, 50), (50, 66), (37, 80), (31, 94),
@@ -114,17 +114,20 @@ def vine():
 
 
 def meander():
-    """A Greek key carved under the shoulder."""
-    n, y0, h = 18, 45.5, 10
+    """A Greek key scratched through the slip under the shoulder."""
+    r.tool(9.5, profile="box")
+    r.action("paint_soft", 0.7, CREAM)
+    r.stroke(ring(radius_at(48), 48, 48), 0.3)
+    n, y0, h = 14, 42.5, 12
     w = 360 / n
-    key = [(0, 0), (0, 1), (0.8, 1), (0.8, 0.25), (0.4, 0.25), (0.4, 0.62)]
-    base = [(0, 0), (1, 0)]
-    for path in (key, base):
+    key = [(0.06, 0), (0.06, 1), (0.86, 1), (0.86, 0.3), (0.46, 0.3), (0.46, 0.64)]
+    for path in (key, [(0, -0.02), (1, -0.02)]):
         points = []
         for (ax, ay), (bx, by) in zip(path, path[1:]):
-            points += [at(w * (ax + (bx - ax) * k / 4), y0 + h * (ay + (by - ay) * k / 4), 0.5)
-                       for k in range(5)]
-        r.line(points, 2.3, name="remove", strength=0.35, radial=("y", n))
+            points += [at(w * (ax + (bx - ax) * k / 6), y0 + h * (ay + (by - ay) * k / 6), 0.3)
+                       for k in range(7)]
+        r.line(points, 1.7, name="remove", strength=0.35, radial=("y", n))
+        r.line(points, 1.5, DEEP, name="paint_soft", strength=0.7, radial=("y", n))
 
 
 def handles():
@@ -133,15 +136,18 @@ def handles():
     r.mirror = "x"
     r.line(tapered(path, 0.9, 1.15), 7.2, CLAY, squash=(1, 1, 1.25))
     r.line(spiral((74, 46, 0), (0, 0, 1), 10, 3, 0, 1.3, 200), 4.5, CLAY)
-    ridge = [add(p, (2, 3, 0)) for p in path[4:-4]]
-    r.line(ridge, 4, GOLD)
+    for k in range(3, len(path) - 8, 3):
+        d = unit(sub(path[k + 1], path[k - 1]))
+        loop = [add(path[k], rotate(between((0, 1, 0), d), p)) for p in ring(7.4, 0, 14)]
+        r.line(loop, 1.7, name="remove", strength=0.22)
+    r.line(path[2:-6], 7.5, GLAZE, name="paint_soft", strength=0.4)
     r.mirror = ""
 
 
 def hollow():
     """Cut out by a tool smaller than the neck, going round ever wider."""
-    for y in range(-66, 140, 6):
-        inner = (radius_at(min(y, 127)) if y < 128 else 50) - 13
+    for y in range(-60, 140, 6):
+        inner = (radius_at(min(y, 127)) if y < 128 else 50) - 15
         size = 12
         if inner <= size + 1:
             continue
@@ -152,6 +158,21 @@ def hollow():
             r.stroke(ring(rad, y, max(16, int(rad))), 0.5)
             rad -= 16
         r.stroke([(0, y, 0)])
+    # Erasing leaves the grid's own steps: a soft cut and a smoothing take them away.
+    for y in range(-60, 128, 5):
+        rad = radius_at(y) - 13
+        if rad < 14:
+            continue
+        r.tool(13)
+        r.action("remove", 0.5)
+        r.stroke(ring(rad - 6, y, max(16, int(rad))), 0.25)
+    for y in range(-66, 128, 9):
+        rad = max(radius_at(y) - 12, 8)
+        r.tool(13)
+        r.action("smooth", 1)
+        r.stroke(ring(rad, y, max(16, int(rad))), 0.08)
+    r.tool(24)
+    r.stroke(ring(8, -66, 12), 0.06)
 
 
 def glaze():
@@ -176,9 +197,9 @@ def glaze():
 
 lathe()
 lips()
-handles()
 hollow()
 glaze()
+handles()
 leaves()
 vine()
 meander()
