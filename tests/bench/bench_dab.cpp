@@ -4,12 +4,13 @@
 
 #include <fstream>
 #include <map>
+#include <span>
 
 #include "bozzetto/history/undo_stack.hpp"
 #include "bozzetto/surface/surface.hpp"
 #include "bozzetto/tool/fill.hpp"
-#include "bozzetto/tool/stroke.hpp"
 #include "scenes.hpp"
+#include "strokes.hpp"
 
 namespace bozzetto {
 namespace {
@@ -21,9 +22,12 @@ template <int Side>
 struct Studio {
   using Block = CornerBlock<Side>;
 
-  explicit Studio(Field<Side> content) : field(std::move(content)) { surface.rebuild(field); }
+  explicit Studio(Field<Side> content) : field(std::move(content)), shown(field.tree) {
+    surface.rebuild(field);
+  }
 
   Field<Side> field;
+  typename Field<Side>::Tree shown;  // what the surface shows
   Surface<Side> surface;
   UndoStack<Block, int> undo;
 
@@ -35,6 +39,13 @@ struct Studio {
     double slowest = 0;  // dab, seconds
   };
 
+  RefreshReport refresh(std::span<const KeyRun> changed) {
+    const Delta<Block> delta = difference(shown, field.tree, changed);
+    RefreshReport report = surface.refresh(field, delta);
+    delta.apply(shown, Direction::forward);
+    return report;
+  }
+
   // One stroke with a refresh after every dab and one undo step; returns its seconds.
   double stroke(const ToolShape& tool, const ActionOptions& action, const Stroke& path,
                 Counts& counts) {
@@ -44,7 +55,7 @@ struct Studio {
     for (std::int64_t n = 0; n < runner.dabCount(); ++n) {
       const auto dabStart = workload::seconds();
       const DabReport dab = runner.dab(n);
-      const RefreshReport refreshed = surface.refresh(field, dab.changed);
+      const RefreshReport refreshed = refresh(dab.changed);
       counts.slowest = std::max(counts.slowest, secondsSince(dabStart));
       counts.dabs.visited += dab.visited;
       counts.dabs.computed += dab.computed;
@@ -58,26 +69,10 @@ struct Studio {
 
   void takeBack() {
     const auto& step = undo.undo(field.tree);
-    surface.refresh(field, step.delta);
+    refresh(step.delta.keys());
     undo.clear();
   }
 };
-
-Stroke strokeOn(double radius) {
-  Stroke stroke;
-  for (const workload::Point& p : workload::stroke(radius)) {
-    stroke.points.push_back({{p[0], p[1], p[2]}, 1});
-  }
-  // A little less than the distance of the points: a dab at each, none in between.
-  stroke.spacing = 0.25 * (1 - 1e-3);
-  return stroke;
-}
-
-ToolShape toolOf(double radius) {
-  ToolShape tool;
-  tool.radii = {radius, radius, radius};
-  return tool;
-}
 
 enum class Ground { ball, empty, crowded };
 
@@ -109,13 +104,14 @@ template <int Side>
 void wholeDab(benchmark::State& state, Ground ground, ActionKind kind, double radius, int threads) {
   setThreadCount(threads);
   Studio<Side>& studio = studioOf<Side>(ground);
-  const Stroke path = strokeOn(radius);
-  const ActionOptions action{kind, workload::kStrength, {200, 100, 60}};
+  const Stroke path = strokes::onBall(radius);
+  const ActionOptions action = strokes::actionOf(kind);
   typename Studio<Side>::Counts counts;
   double dabs = 0;
   std::string hash;
   for (auto _ : state) {
-    state.SetIterationTime(studio.stroke(toolOf(radius), action, path, counts) / workload::kDabs);
+    state.SetIterationTime(studio.stroke(strokes::toolOf(radius), action, path, counts) /
+                           workload::kDabs);
     dabs += workload::kDabs;
     if (hash.empty()) hash = scenes::hashOf(studio.field);
     counts.treated += treatedCubes<Side>(studio.undo.steps().back().delta);
@@ -131,12 +127,12 @@ void undoStroke(benchmark::State& state, double radius, int threads) {
   setThreadCount(threads);
   Studio<8>& studio = studioOf<8>(Ground::ball);
   Studio<8>::Counts counts;
-  studio.stroke(toolOf(radius), {ActionKind::add, workload::kStrength, {}}, strokeOn(radius),
-                counts);
+  studio.stroke(strokes::toolOf(radius), strokes::actionOf(ActionKind::add),
+                strokes::onBall(radius), counts);
   for (auto _ : state) {
     const auto start = workload::seconds();
-    studio.surface.refresh(studio.field, studio.undo.undo(studio.field.tree).delta);
-    studio.surface.refresh(studio.field, studio.undo.redo(studio.field.tree).delta);
+    studio.refresh(studio.undo.undo(studio.field.tree).delta.keys());
+    studio.refresh(studio.undo.redo(studio.field.tree).delta.keys());
     state.SetIterationTime(secondsSince(start) / 2);
   }
   state.SetLabel(scenes::hashOf(studio.field));
