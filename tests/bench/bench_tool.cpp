@@ -2,19 +2,13 @@
 // per dab; closing the edit (the delta that undo keeps) is the counter commit_ms, per dab too.
 #include <benchmark/benchmark.h>
 
-#include <chrono>
-
 #include "bozzetto/tool/stroke.hpp"
 #include "scenes.hpp"
 
 namespace bozzetto {
 namespace {
 
-using Steady = std::chrono::steady_clock;
-
-double secondsSince(Steady::time_point start) {
-  return std::chrono::duration<double>(Steady::now() - start).count();
-}
+double secondsSince(double start) { return workload::seconds() - start; }
 
 struct Job {
   ActionKind kind;
@@ -57,7 +51,7 @@ void dab(benchmark::State& state, const Job& job) {
   for (auto _ : state) {
     Edit<CornerBlock<Side>> edit(field.tree);
     StrokeRunner<Side> runner(edit, field.scale, toolOf(job.radius), action, path);
-    const auto start = Steady::now();
+    const double start = workload::seconds();
     for (std::int64_t n = 0; n < runner.dabCount(); ++n) {
       const DabReport dab = runner.dab(n);
       counts.visited += dab.visited;
@@ -66,7 +60,7 @@ void dab(benchmark::State& state, const Job& job) {
     }
     state.SetIterationTime(secondsSince(start) / static_cast<double>(runner.dabCount()));
     dabs += static_cast<double>(runner.dabCount());
-    const auto closing = Steady::now();
+    const double closing = workload::seconds();
     const auto delta = edit.commit();
     committing += secondsSince(closing);
     if (hash.empty()) hash = scenes::hashOf(field);
