@@ -17,7 +17,7 @@ class RunWriter {
     i_ = i;
     j_ = j;
   }
-  void add(std::int32_t k, std::int32_t length, float value, Attributes attributes) {
+  void add(std::int64_t k, std::int64_t length, float value, Attributes attributes) {
     if (!(value > 0)) return flush();
     const bool goesOn =
         length_ > 0 && k == k_ + length_ && value == value_ && attributes == attributes_;
@@ -31,7 +31,10 @@ class RunWriter {
   }
   void flush() {
     if (length_ == 0) return;
-    for (const std::int32_t number : {i_, j_, k_, length_}) writer_.put(number);
+    writer_.put(i_);
+    writer_.put(j_);
+    writer_.put(k_);
+    writer_.put(length_);
     writer_.put(value_);
     writer_.put(attributes_);
     length_ = 0;
@@ -40,7 +43,8 @@ class RunWriter {
 
  private:
   ByteWriter writer_;
-  std::int32_t i_ = 0, j_ = 0, k_ = 0, length_ = 0;
+  std::int32_t i_ = 0, j_ = 0;
+  std::int64_t k_ = 0, length_ = 0;  // a row of the whole workspace is longer than 2³¹
   float value_ = 0;
   Attributes attributes_ = 0;
 };
@@ -60,11 +64,13 @@ void addRow(RunWriter& out, const Column<Side>& column, int li, int lj) {
     const auto& [key, run] = *node;
     const int at = BlockGeometry<Side>::indexOf(li, lj, 0);
     if (run.block->interned) {
-      out.add(key.k * Side, run.length * Side, run.block->value[at], run.block->attributes[at]);
+      out.add(std::int64_t{key.k} * Side, std::int64_t{run.length} * Side, run.block->value[at],
+              run.block->attributes[at]);
       continue;
     }
     for (int k = 0; k < Side; ++k) {
-      out.add(key.k * Side + k, 1, run.block->value[at + k], run.block->attributes[at + k]);
+      out.add(std::int64_t{key.k} * Side + k, 1, run.block->value[at + k],
+              run.block->attributes[at + k]);
     }
   }
 }
