@@ -53,9 +53,6 @@ def eyes():
     lower = [(x, y, 44 + math.sqrt(max(20 ** 2 - (x - 22) ** 2 - (y - 21) ** 2, 0)) - 2.5)
              for x, y in lower]
     r.line(curve(tapered(lower, 0.6, 0.6), 2), 3.8, SKIN)
-    # Bags under the eyes.
-    r.line([p + (t,) for p, t in zip([(7, 4, 57), (16, -1, 60), (27, 0, 59), (38, 7, 52)],
-                                     (0.5, 1, 1, 0.5))], 4.5, SKIN, strength=0.25)
 
 
 def nose():
@@ -82,11 +79,12 @@ def mouth():
 
 
 def ears():
-    rim = [(60, 24, -6), (68, 34, -10), (76, 30, -14), (78, 16, -14), (73, 2, -11), (64, -8, -6)]
+    rim = [(60, 22, -4), (67, 32, -8), (75, 29, -13), (77, 16, -14), (73, 3, -11), (65, -9, -5)]
     r.blob((66, 12, -9), (10, 21, 13), SKIN, rotation=turn((0, 1, 0), 25))
     r.line(curve(tapered(rim, 0.9, 1.1), 5), 6, SKIN)
-    r.press((73, 13, 0), (9, 17, 12), name="remove", strength=0.5)
-    r.line([(68, 4, 0), (69, 12, -2)], 4, SKIN)
+    r.press((74, 13, -1), (9, 16, 12), name="remove", strength=0.75)
+    r.line([(66, 2, 3), (68, 10, 2), (67, 17, 0)], 4, SKIN)
+    r.press((74, 14, -2), (9, 15, 12), "#b9603f", 1, "paint_soft", 0.8)
 
 
 def brows():
@@ -94,9 +92,9 @@ def brows():
     for side, lift in ((1, 4), (-1, 0)):
         for i in range(17):
             t = i / 16
-            x = 9 + 36 * t
-            y = 57 + lift + 11 * math.sin(math.pi * (0.12 + 0.82 * t)) + rng.uniform(-1, 1)
-            a = math.radians(80 - 95 * t + rng.uniform(-8, 8))
+            x = 9 + 28 * t
+            y = 60 + lift + 9 * math.sin(math.pi * (0.12 + 0.82 * t)) + rng.uniform(-1, 1)
+            a = math.radians(85 - 85 * t + rng.uniform(-8, 8))
             p = r.front(side * x, y)
             q = r.front(side * (x + 8 * math.cos(a)), y + 8 * math.sin(a))
             if p and q:
@@ -109,12 +107,12 @@ def hair():
     """Curls: helices in two heaps at the sides and round the back."""
     r.mirror = ""
     for side in (1, -1):
-        for i in range(58):
+        for i in range(78):
             u, v = rng.random(), rng.random()
-            a = math.radians(78 + 98 * u) * side
+            a = math.radians(68 + 108 * u) * side
             e = math.radians(-20 + 62 * v * (1 - 0.2 * u))
             d = (math.cos(e) * math.sin(a), math.sin(e), math.cos(e) * math.cos(a))
-            if abs(math.degrees(a)) < 104 and abs(math.degrees(e) - 2) < 17:
+            if 82 < abs(math.degrees(a)) < 112 and abs(math.degrees(e)) < 15:
                 continue  # the ear
             p = r.toward((0, 16, -8), d, 120)
             n = unit(mix(d, (0.3 * side, rng.uniform(-0.5, 0.6), rng.uniform(-0.4, 0.4)), 0.45))
@@ -148,6 +146,7 @@ def ruff():
             hem.append((outer * math.sin(a), y + amp * math.cos(a * pleats) - 8,
                         outer * math.cos(a) - 6))
         r.line(hem, 4.6, [BLUE, RED][layer], strength=0.5)
+        r.line(hem, 4.4, [BLUE, RED][layer], name="paint_soft", strength=0.6)
     r.mirror_at = (0, 0, 0)
 
 
@@ -208,12 +207,12 @@ def paint():
         r.stroke(r.front_line(line), 0.3)
     r.press(r.front(42, -8), (17, 16, 16), "#d8452f", 2, "paint_soft", 0.5)
     # Eye shadow on the lids, a star's rays above and below.
-    for a in range(20, 161, 20):
-        c, d = math.cos(math.radians(a)), math.sin(math.radians(a))
-        q = (22 + 20.5 * c, 22 + 15.5 * d)
-        lid = r.front(*q)
-        r.press(lid, (5, 5, 8), "#5fa3c4", 2, "paint_soft", 0.5, profile="box")
-    for line in ([(22, 47), (22, 58)], [(22, 5), (22, -4)]):
+    lid = r.front_line([(22 + 20.5 * math.cos(a), 22 + 15 * math.sin(a)) for a in
+                        (math.radians(d) for d in range(22, 149, 9))])
+    r.tool(6, profile="box")
+    r.action("paint_soft", 0.6, "#5fa3c4")
+    r.stroke(lid, 0.25)
+    for line in ([(22, 47), (22, 58)], [(23, 0), (24, -9)]):
         pts = r.front_line([mix(line[0], line[1], k / 5) for k in range(6)])
         r.line([p + (1 - 0.5 * k / 5,) for k, p in enumerate(pts)], 3.4, "#1d2a52",
                name="paint_soft", strength=0.8)

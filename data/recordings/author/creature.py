@@ -123,8 +123,8 @@ def face():
     for x, y in curve([(0, 12), (12, 10.5), (22, 12), (30, 12)], 4):
         p2 = r.front(x, y)
         mouth.append(add(p2, (0, 0, 1)))
-    for z, y in ((48, 12.5), (40, 13), (33, 15), (28, 19)):
-        mouth.append(r.cast((120, y, z), (-1, 0, 0)))
+    for z, y in ((50, 12.5), (44, 13), (38, 14.5), (34, 17)):
+        mouth.append(add(r.cast((60, y, z + 14), (-1, 0, -0.5)), (0.5, 0, 0.5)))
     r.line(mouth, 4.2, MOUTH, name="remove", strength=0.5)
     r.line(mouth, 3.4, MOUTH, name="paint_soft", strength=0.6)
     lip = [add(add(m, (0, 5.5, 0)), unit((m[0], 0, m[2] - 10)), 1) for m in mouth]

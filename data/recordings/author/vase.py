@@ -41,11 +41,10 @@ def lathe():
     r.blob((0, -118, 0), (44, 9, 44), CLAY, shape="cylinder")
     r.line([(0, -112, 0), (0, -84, 0)], 24, CLAY)
     r.line(ring(20, -72, 24), 15, CLAY)
-    for k in range(3):  # the wall drawn smooth, inside and out
-        for y in range(-120 + 12 * k, 128, 36):
-            r.tool((20, 20, 20))
-            r.action("smooth", 0.9)
-            r.stroke(ring(radius_at(y) - 3, y, 40), 0.12)
+    for y in range(-120, 128, 11):  # drawn smooth, inside and out
+        r.tool(18)
+        r.action("smooth", 1)
+        r.stroke(ring(radius_at(y) - 3, y, 40), 0.22)
 
 
 def lips():
@@ -57,7 +56,7 @@ def lips():
 
 def beads():
     r.mirror_at = (0, 0, 0)
-    r.press(at(0, 62, 1), 9, CREAM, 2, profile="box", radial=("y", 24))
+    r.press(at(0, 65, 1), 7.5, CREAM, 2, profile="box", radial=("y", 24))
     r.press(at(0, -104, 2), 6.5, CREAM, 2, profile="box", radial=("y", 16))
 
 
@@ -93,7 +92,7 @@ def leaves():
 
 def vine():
     """A wave round the belly with a curl, a leaf and berries in every bend."""
-    n, y0, swing = 6, 22, 13
+    n, y0, swing = 6, 19, 12
     stem = []
     for k in range(31):
         t = k / 30
@@ -115,19 +114,20 @@ def vine():
 
 def meander():
     """A Greek key scratched through the slip under the shoulder."""
-    r.tool(9.5, profile="box")
+    r.tool(11, profile="box")
     r.action("paint_soft", 0.7, CREAM)
-    r.stroke(ring(radius_at(48), 48, 48), 0.3)
-    n, y0, h = 14, 42.5, 12
+    r.stroke(ring(radius_at(49), 49, 48), 0.3)
+    n, y0, h = 10, 42, 14
     w = 360 / n
-    key = [(0.06, 0), (0.06, 1), (0.86, 1), (0.86, 0.3), (0.46, 0.3), (0.46, 0.64)]
-    for path in (key, [(0, -0.02), (1, -0.02)]):
+    key = [(0, 0), (0.1, 0), (0.1, 1), (0.8, 1), (0.8, 0.34), (0.45, 0.34), (0.45, 0.66)]
+    base = [(0.1, 0), (1.02, 0)]
+    for path in (key, base):
         points = []
         for (ax, ay), (bx, by) in zip(path, path[1:]):
             points += [at(w * (ax + (bx - ax) * k / 6), y0 + h * (ay + (by - ay) * k / 6), 0.3)
                        for k in range(7)]
-        r.line(points, 1.7, name="remove", strength=0.35, radial=("y", n))
-        r.line(points, 1.5, DEEP, name="paint_soft", strength=0.7, radial=("y", n))
+        r.line(points, 2.2, name="remove", strength=0.16, radial=("y", n))
+        r.line(points, 2.2, DEEP, name="paint_soft", strength=0.6, radial=("y", n))
 
 
 def handles():
@@ -139,7 +139,7 @@ def handles():
     for k in range(3, len(path) - 8, 3):
         d = unit(sub(path[k + 1], path[k - 1]))
         loop = [add(path[k], rotate(between((0, 1, 0), d), p)) for p in ring(7.4, 0, 14)]
-        r.line(loop, 1.7, name="remove", strength=0.22)
+        r.line(loop, 2, name="remove", strength=0.09)
     r.line(path[2:-6], 7.5, GLAZE, name="paint_soft", strength=0.4)
     r.mirror = ""
 
@@ -170,7 +170,7 @@ def hollow():
         rad = max(radius_at(y) - 12, 8)
         r.tool(13)
         r.action("smooth", 1)
-        r.stroke(ring(rad, y, max(16, int(rad))), 0.08)
+        r.stroke(ring(rad, y, max(16, int(rad))), 0.14)
     r.tool(24)
     r.stroke(ring(8, -66, 12), 0.06)
 
@@ -186,9 +186,8 @@ def glaze():
         r.tool(9, profile="box")
         r.action("paint_soft", 0.6, DEEP)
         r.stroke(ring(46, y + 2, 48), 0.3)
-    for y in (2, 40):
+    for y in (2, 37):
         band(y, 4.5, DEEP, 0.8)
-    band(60, 4, DEEP, 0.8)
     for y in range(-126, -108, 4):
         r.tool(9, profile="box")
         r.action("paint_soft", 0.6, GLAZE)
@@ -199,9 +198,9 @@ lathe()
 lips()
 hollow()
 glaze()
+meander()
 handles()
 leaves()
 vine()
-meander()
 beads()
 r.write(sys.argv[1])
