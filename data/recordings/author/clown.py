@@ -90,24 +90,23 @@ def ears():
 def brows():
     r.mirror = ""
     for side, lift in ((1, 4), (-1, 0)):
-        for i in range(17):
-            t = i / 16
-            x = 9 + 28 * t
-            y = 60 + lift + 9 * math.sin(math.pi * (0.12 + 0.82 * t)) + rng.uniform(-1, 1)
-            a = math.radians(85 - 85 * t + rng.uniform(-8, 8))
-            p = r.front(side * x, y)
-            q = r.front(side * (x + 8 * math.cos(a)), y + 8 * math.sin(a))
-            if p and q:
-                n = r.normal(p)
-                r.line(tapered([add(p, n, -1), add(mix(p, q, 0.5), n, 2.5), add(q, n, 1)], 1, 0.5),
-                       3.6, rng.choice(["#b8430f", HAIR]), spacing=0.12)
+        def arch(t, dy=0.0):
+            return (side * (8 + 31 * t), 62 + lift + 12 * math.sin(math.pi * (0.08 + 0.8 * t)) + dy)
+        roll = r.front_line([arch(k / 10) for k in range(11)], 1)
+        r.line(tapered(roll, 0.8, 0.45), 7, HAIR)
+        for i in range(12):  # tufts lying along it
+            t = i / 11 * 0.86
+            lead = [arch(t, rng.uniform(-4, 1)), arch(t + 0.1, rng.uniform(-1, 3)),
+                    arch(t + 0.22, rng.uniform(0, 5))]
+            r.line(tapered(r.front_line(lead, 0.5), 0.9, 0.35), 2.6,
+                   rng.choice(["#b8430f", HAIR, HAIR2]), spacing=0.12)
 
 
 def hair():
     """Curls: helices in two heaps at the sides and round the back."""
     r.mirror = ""
     for side in (1, -1):
-        for i in range(78):
+        for i in range(112):
             u, v = rng.random(), rng.random()
             a = math.radians(68 + 108 * u) * side
             e = math.radians(-20 + 62 * v * (1 - 0.2 * u))
@@ -198,14 +197,14 @@ def paint():
     for x, y, size in ((22, 40, 13), (22, 33, 14), (22, 50, 10), (22, 6, 9)):
         p = r.front(x, y)
         r.press(p, (size * 1.3, size * 1.4, 16), WHITE, 2, "paint_soft", 0.7, profile="box")
-    muzzle = r.front_line(curve([(0, -56), (20, -52), (38, -38), (50, -20), (51, -8)], 4))
+    muzzle = r.front_line(curve([(0, -56), (20, -52), (36, -40), (46, -28)], 4))
     r.tool(11, profile="box")
     r.action("paint_soft", 0.5, WHITE)
     r.stroke(muzzle, 0.3)
-    for line in (curve([(0, -23), (18, -20), (34, -10), (42, -3)], 4),):
+    for line in (curve([(0, -23), (18, -20), (30, -14)], 4),):
         r.tool(7, profile="box")
         r.stroke(r.front_line(line), 0.3)
-    r.press(r.front(42, -8), (17, 16, 16), "#d8452f", 2, "paint_soft", 0.5)
+    r.press(r.front(43, -6), (17, 16, 20), "#d8452f", 2, "paint_soft", 0.4)
     # Eye shadow on the lids, a star's rays above and below.
     lid = r.front_line([(22 + 20.5 * math.cos(a), 22 + 15 * math.sin(a)) for a in
                         (math.radians(d) for d in range(22, 149, 9))])

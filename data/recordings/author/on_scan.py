@@ -23,22 +23,26 @@ def smooth_parts():
 
 
 def patches():
-    r.tool(0.10, profile="box")
-    r.action("paint_soft", 0.35, BROWN)
-    back = [scan.toward((0.12, 0, 0), (0.25 * k - 0.2, 1, 0.35 - 0.2 * k))[0] for k in range(4)]
-    r.stroke(back, 0.3)
-    r.tool((0.09, 0.07, 0.08), profile="box")
-    r.stroke([scan.front(0.24, -0.02)[0], scan.front(0.3, -0.08)[0]], 0.3)
-    r.tool((0.07, 0.06, 0.06), profile="box")
-    r.stroke([scan.front(-0.1, -0.3)[0]], 0.3)
+    for points, radii in (([(0.27, 0.0), (0.33, -0.06)], (0.1, 0.09, 0.1)),
+                          ([(0.36, -0.17)], (0.06, 0.055, 0.1)),
+                          ([(0.02, 0.03)], (0.08, 0.06, 0.08)),
+                          ([(-0.12, -0.3)], (0.06, 0.07, 0.06)),
+                          ([(-0.29, 0.25), (-0.27, 0.2)], (0.075, 0.07, 0.07))):
+        r.tool(radii, profile="box")
+        r.action("paint_soft", 0.7, BROWN)
+        r.stroke([scan.front(*p)[0] for p in points], 0.3)
     # The tail white, by the hard brush.
-    r.tool((0.10, 0.11, 0.14))
+    r.tool((0.085, 0.12, 0.15))
     r.action("paint", 1, CREAM)
-    r.stroke([(0.44, -0.31, -0.02)])
+    r.stroke([(0.485, -0.34, 0.1)])
+    r.tool((0.1, 0.13, 0.16), profile="box")
+    r.action("paint_soft", 0.5, CREAM)
+    r.stroke([(0.485, -0.34, 0.1)])
     # Socks.
     r.tool((0.13, 0.055, 0.2), profile="box")
     r.action("paint_soft", 0.5, CREAM)
-    r.stroke([(-0.24, -0.49, 0.1), (-0.2, -0.49, -0.08)], 0.3)
+    r.stroke([(-0.26, -0.49, 0.2), (-0.2, -0.49, -0.08)], 0.3)
+    r.stroke([(0.02, -0.5, 0.33), (0.15, -0.5, 0.3)], 0.3)
     # The ear's inside and the nose.
     r.tool((0.028, 0.028, 0.05))
     r.action("paint_soft", 0.5, "#e88f8a")
@@ -127,14 +131,15 @@ def hat():
 
 
 def buttons():
-    for x, y in ((-0.37, -0.1), (-0.345, -0.18), (-0.31, -0.255)):
-        p, n = scan.front(x, y)
+    for y in (-0.07, -0.155, -0.24):
+        p, n = scan.cast((-1.2, y, 1.0), (0.7, 0, -0.7))
         q = between((0, 1, 0), n)
-        r.press(add(p, n, 0.004), (0.034, 0.018, 0.034), GOLD, 2, rotation=q, shape="cylinder",
+        r.press(add(p, n, 0.004), (0.04, 0.02, 0.04), GOLD, 3, rotation=q, shape="cylinder",
                 profile="box")
-        for dx, dz in ((0.0095, 0.0095), (-0.0095, 0.0095), (0.0095, -0.0095), (-0.0095, -0.0095)):
-            hole = add(p, rotate(q, (dx, 0.019, dz)))
-            r.press(hole, 0.0105, name="remove", strength=0.7)
+        r.line([add(p, rotate(q, v)) for v in ring(0.031, 0.018, 20)], 0.0105, GOLD)
+        for d in (0.013, -0.013):
+            r.press(add(p, rotate(q, (d, 0.022, 0))), (0.0115, 0.02, 0.0115), name="remove",
+                    strength=0.8, rotation=q)
 
 
 def letters():
