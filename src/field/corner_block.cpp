@@ -18,12 +18,13 @@ struct Range {
 };
 
 BOZZETTO_KERNEL Range rangeKernel(const float* value, int count) {
-  float low = value[0], high = value[0];
+  // Values are never negative: they order like their bits, which compilers can reduce in vectors.
+  auto low = std::bit_cast<std::int32_t>(value[0]), high = low;
   for (int n = 0; n < count; ++n) {
-    low = value[n] < low ? value[n] : low;
-    high = value[n] > high ? value[n] : high;
+    low = std::min(low, std::bit_cast<std::int32_t>(value[n]));
+    high = std::max(high, std::bit_cast<std::int32_t>(value[n]));
   }
-  return {low, high};
+  return {std::bit_cast<float>(low), std::bit_cast<float>(high)};
 }
 
 // Adding 1.5·2¹² to a double leaves multiples of 2⁻⁴⁰ in its low bits: a float in [0, 2048)
@@ -41,11 +42,17 @@ BOZZETTO_KERNEL MassUnits massKernel(const float* value, int count) {
 
 // Clears attributes where there is no clay; returns a nonzero number when corners differ.
 BOZZETTO_KERNEL std::uint32_t tidyKernel(const float* value, Attributes* attributes, int count) {
+  const auto first = std::bit_cast<std::int32_t>(value[0]);
+  const Attributes firstKept = first > 0 ? attributes[0] : 0;
   std::uint32_t differs = 0;
   for (int n = 0; n < count; ++n) {
-    attributes[n] = value[n] > 0 ? attributes[n] : 0;
-    differs |= std::bit_cast<std::uint32_t>(value[n]) ^ std::bit_cast<std::uint32_t>(value[0]);
-    differs |= attributes[n] ^ attributes[0];
+    const auto bits = std::bit_cast<std::int32_t>(value[n]);
+    const Attributes kept =
+        attributes[n] & static_cast<Attributes>(
+                            static_cast<std::int32_t>(0u - static_cast<std::uint32_t>(bits)) >> 31);
+    attributes[n] = kept;
+    differs |= static_cast<std::uint32_t>(bits ^ first);
+    differs |= kept ^ firstKept;
   }
   return differs;
 }
@@ -101,11 +108,11 @@ InternTable<Side>& internTable() {
 template <int Side>
 CornerBlock<Side>::CornerBlock(const CornerBlock& other)
     : RefCounted(other),
-      value(other.value),
-      attributes(other.attributes),
       low(other.low),
       high(other.high),
-      mass(other.mass) {}
+      mass(other.mass),
+      value(other.value),
+      attributes(other.attributes) {}
 
 template <int Side>
 void CornerBlock<Side>::updateRange() {

@@ -13,8 +13,11 @@ struct Patch {
   Key first;  // corner, counted from the frame's cell
 };
 
-// `Side` is a constant so that a row of 8 becomes one vector.
-template <int Side, class Rule>
+enum class Turn { aligned, free };  // aligned: along k only the tool's z varies
+
+// `Side` is a constant so that a row of 8 becomes one vector. Aligned tools give the same bits
+// either way: they leave out sums with 0.
+template <int Side, Turn kTurn, class Rule>
 BOZZETTO_KERNEL void forRowsBody(const Patch& patch, const Rule& rule, float* result) {
   const auto& first = patch.frame.first;
   const auto& step = patch.frame.step;
@@ -30,28 +33,38 @@ BOZZETTO_KERNEL void forRowsBody(const Patch& patch, const Rule& rule, float* re
                      static_cast<float>(patch.first.j + j) * step[1][axis];
       }
       for (int k = 0; k < Side; ++k) {
-        result[(i * Side + j) * Side + k] =
-            rule(std::abs(base[0] + along[0][k]), std::abs(base[1] + along[1][k]),
-                 std::abs(base[2] + along[2][k]));
+        const float x = kTurn == Turn::aligned ? base[0] : base[0] + along[0][k];
+        const float y = kTurn == Turn::aligned ? base[1] : base[1] + along[1][k];
+        const float z = base[2] + along[2][k];
+        result[(i * Side + j) * Side + k] = rule(std::abs(x), std::abs(y), std::abs(z));
       }
     }
   }
 }
 
-template <int Side, class Rule>
+template <int Side, Turn kTurn, class Rule>
 BOZZETTO_TARGET_AVX2 void forRowsAvx2(const Patch& patch, const Rule& rule, float* result) {
-  forRowsBody<Side>(patch, rule, result);
+  forRowsBody<Side, kTurn>(patch, rule, result);
 }
 
-template <int Side, class Rule>
+template <int Side, Turn kTurn, class Rule>
 void forRowsPlain(const Patch& patch, const Rule& rule, float* result) {
-  forRowsBody<Side>(patch, rule, result);
+  forRowsBody<Side, kTurn>(patch, rule, result);
+}
+
+template <Turn kTurn, class Rule>
+void forRowsTurned(const Patch& patch, int side, const Rule& rule, float* result) {
+  if (side == 1) return forRowsPlain<1, kTurn>(patch, rule, result);
+  hasAvx2() ? forRowsAvx2<8, kTurn>(patch, rule, result)
+            : forRowsPlain<8, kTurn>(patch, rule, result);
 }
 
 template <class Rule>
 void forRows(const Patch& patch, int side, const Rule& rule, float* result) {
-  if (side == 1) return forRowsPlain<1>(patch, rule, result);
-  return hasAvx2() ? forRowsAvx2<8>(patch, rule, result) : forRowsPlain<8>(patch, rule, result);
+  const auto& alongK = patch.frame.step[2];
+  const bool aligned = alongK[0] == 0 && alongK[1] == 0;
+  aligned ? forRowsTurned<Turn::aligned>(patch, side, rule, result)
+          : forRowsTurned<Turn::free>(patch, side, rule, result);
 }
 
 }  // namespace bozzetto

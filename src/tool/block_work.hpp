@@ -18,7 +18,7 @@ template <int Side>
 BlockView viewOf(const Edit<CornerBlock<Side>>& edit, BlockWork<Side>& work, WriteTo to) {
   CornerBlock<Side>* out = to == WriteTo::own ? edit.own(work.old) : nullptr;
   if (out == nullptr) {
-    work.fresh = edit.fresh();
+    work.fresh = edit.own(Ref<CornerBlock<Side>>(new CornerBlock<Side>(ForOverwrite{})));
     out = work.fresh.get();
   }
   const CornerBlock<Side>& old = work.old == nullptr ? emptyBlock<Side>() : *work.old;

@@ -16,8 +16,9 @@ constexpr std::size_t grainFor(const Action& action) {
   return corners / (Side * Side * Side) / (Side == 1 ? 10 : 1);
 }
 
-// Blocks are listed until so many corners wait, then made and put into the tree.
-constexpr std::size_t kBatchCorners = std::size_t{1} << 20;
+// Blocks are listed until so many corners wait, then made and put into the tree: enough to share
+// between threads, or few enough to stay in the cache of one.
+std::size_t batchCorners() { return std::size_t{1} << (threadCount() > 1 ? 20 : 15); }
 
 template <int Side>
 BlockSummary summaryOf(const CornerBlock<Side>* block) {
@@ -79,7 +80,7 @@ void DabWalker<Side>::apply(const Dab& dab, DabReport& report) {
   // Low-passing reads the old neighbours: there, nothing is written before everything is made.
   const bool lowpass = dab.action->wantsLowpass();
   if (lowpass) gatherNeighbourhood(walk);
-  const std::size_t batch = kBatchCorners / Block::kCount;
+  const std::size_t batch = batchCorners() / Block::kCount;
   for (std::int32_t bi = walk.blocks.low.i; bi <= walk.blocks.high.i; ++bi) {
     for (std::int32_t bj = walk.blocks.low.j; bj <= walk.blocks.high.j; ++bj) {
       listColumn(walk, bi, bj);
@@ -151,7 +152,6 @@ void DabWalker<Side>::compute(const Walk& walk, BlockWork<Side>& work) const {
 
   alignas(64) float potential[Block::kCount];
   walk.dab.potential->evaluate(walk.frame, walk.offsetOf(work.key), Side, potential);
-  if (std::all_of(potential, potential + Block::kCount, [](float p) { return p == 0; })) return;
 
   LowpassBuffer<Side> buffer;
   if (action.wantsLowpass()) lowpass<Side>(near, buffer);

@@ -2,6 +2,7 @@
 // like their bits; without branches and float comparisons compilers turn the loops of kernels into
 // vectors under default flags, which bend no arithmetic.
 #pragma once
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -50,17 +51,17 @@ BOZZETTO_KERNEL double pick(Mask mask, double a, double b) {
 /// max(x, 0), for any x but NaN.
 template <class Real>
 BOZZETTO_KERNEL Real positive(Real x) {
-  return real(bits(x) & ~signMask(bits(x)));
+  return real(std::max(bits(x), decltype(bits(x)){0}));
 }
 
 /// The lesser and the greater of two numbers ≥ 0.
 template <class Real>
 BOZZETTO_KERNEL Real lesser(Real a, Real b) {
-  return pick(lessMask(a, b), a, b);
+  return real(std::min(bits(a), bits(b)));
 }
 template <class Real>
 BOZZETTO_KERNEL Real greater(Real a, Real b) {
-  return pick(lessMask(a, b), b, a);
+  return real(std::max(bits(a), bits(b)));
 }
 
 }  // namespace bozzetto

@@ -30,19 +30,23 @@ using MassUnits = std::int64_t;
 inline constexpr double kMassUnit = 0x1p-40;
 __extension__ typedef __int128 MassSum;  ///< of whole fields
 
+struct ForOverwrite {};
+
 template <int Side>
 struct CornerBlock : RefCounted {
   using Geometry = BlockGeometry<Side>;
   static constexpr int kSide = Side;
   static constexpr int kCount = Geometry::kCount;
 
-  alignas(Side >= 8 ? 64 : 4) std::array<float, kCount> value{};
-  std::array<Attributes, kCount> attributes{};
+  // What others ask first shares a cache line with the count of holders.
   float low = 0, high = 0;  ///< least and greatest value: what the surface asks first
   bool interned = false;    ///< the one shared block of its uniform content; never written
   MassUnits mass = 0;       ///< of all corners; true in committed blocks
+  alignas(Side >= 8 ? 64 : 4) std::array<float, kCount> value;
+  std::array<Attributes, kCount> attributes;
 
-  CornerBlock() = default;
+  CornerBlock() : value{}, attributes{} {}
+  explicit CornerBlock(ForOverwrite) {}  ///< for who writes every corner: content undefined
   CornerBlock(const CornerBlock& other);
 
   /// Brings low and high up to date. Whoever writes values calls it before anybody reads the

@@ -65,8 +65,10 @@ class Edit {
 
   /// A block to fill that replaces the one at `key` when handed to `replace`: for kernels that
   /// read the old values of the neighbourhood while they write.
-  Ref<Block> fresh() const {
-    Ref<Block> block(new Block());
+  Ref<Block> fresh() const { return own(Ref<Block>(new Block())); }
+
+  /// A block of the caller's making, as if from fresh().
+  Ref<Block> own(Ref<Block> block) const {
     block->editor = number_;
     return block;
   }
