@@ -41,6 +41,10 @@ void addSurfaceAims(std::vector<Aim>& aims) {
                   refresh,
                   {openvdb("refresh_tight/radius:{r}")},
                   std::vector<double>(5, kNoAim)});
+  aims.push_back({"full extraction, memory never touched before, against volumeToMesh",
+                  {"extract_ball_cold/side:8/threads:{t}"},
+                  {openvdb("mesh")},
+                  {kNoAim}});
   aims.push_back({"full extraction against volumeToMesh",
                   {"extract_ball/side:8/threads:{t}"},
                   {openvdb("mesh")},
@@ -80,10 +84,13 @@ void addWholeDabAims(std::vector<Aim>& aims) {
 }
 
 void addStorageAims(std::vector<Aim>& aims) {
-  aims.push_back({"memory of the ball without 4 bytes a corner for colour and hold",
-                  {"memory_ball", "bytes_without_colour"},
-                  {"openvdb/snapshot/threads:1", "bytes"},
+  const Figure memory{"memory_ball", "bytes_without_colour"};
+  aims.push_back({"memory of the ball, without 4 bytes a corner for colour and hold, against fog",
+                  memory,
+                  {"openvdb/snapshot_fog/threads:1", "bytes"},
                   {1}});
+  aims.push_back(
+      {"the same against the level set", memory, {"openvdb/snapshot/threads:1", "bytes"}, {1}});
   for (const std::string how : {"blosc", "zip"}) {
     aims.push_back({"save against .vdb " + how + " with fsync",
                     {"save_ball/threads:{t}"},

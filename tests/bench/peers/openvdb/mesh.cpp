@@ -105,11 +105,11 @@ Result wholeMesh(const Job& job) {
   return result;
 }
 
-Result snapshot(const Job& job) {
+Result snapshot(const Job& job, const FloatGrid& ball) {
   Result result = job.result();
   FloatGrid::Ptr copy;
   result.ms = timeRepeats(
-      job.repeats, [&] { copy.reset(); }, [&] { copy = levelSetBall().deepCopy(); });
+      job.repeats, [&] { copy.reset(); }, [&] { copy = ball.deepCopy(); });
   result.fingerprint = fingerprintOf(*copy);
   addCounts(result, *copy);
   return result;
@@ -122,7 +122,8 @@ std::vector<Case> meshCases() {
           {"refresh_tight", true, [](const Job& job) { return refresh(job, Apron::tight); }},
           {"whole_dab", true, wholeDab},
           {"mesh", false, wholeMesh},
-          {"snapshot", false, snapshot}};
+          {"snapshot", false, [](const Job& job) { return snapshot(job, levelSetBall()); }},
+          {"snapshot_fog", false, [](const Job& job) { return snapshot(job, fogBall()); }}};
 }
 
 }  // namespace bozzetto::peer
