@@ -1,5 +1,8 @@
 #include "tool/lowpass.hpp"
 
+#include <algorithm>
+
+#include "tool/block_work.hpp"
 #include "tool/float_bits.hpp"
 
 namespace bozzetto {
@@ -22,11 +25,10 @@ void gatherRow(const Neighbourhood<Side>& blocks, int i, int j, Tile<Side>& tile
   float* value = tile.value + (i * wide + j) * wide;
   Attributes* attributes = tile.attributes + (i * wide + j) * wide;
   const auto take = [&](int bk, int from, int to, int count) {
-    const CornerBlock<Side>* block = blocks[(bi * 3 + bj) * 3 + bk];
-    for (int k = 0; k < count; ++k) {
-      value[to + k] = block == nullptr ? 0 : block->value[row + from + k];
-      attributes[to + k] = block == nullptr ? 0 : block->attributes[row + from + k];
-    }
+    const CornerBlock<Side>* near = blocks[(bi * 3 + bj) * 3 + bk];
+    const CornerBlock<Side>& block = near == nullptr ? emptyBlock<Side>() : *near;
+    std::copy_n(block.value.data() + row + from, count, value + to);
+    std::copy_n(block.attributes.data() + row + from, count, attributes + to);
   };
   take(0, Side - 1, 0, 1);
   take(1, 0, 1, Side);
