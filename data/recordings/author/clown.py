@@ -79,12 +79,13 @@ def mouth():
 
 
 def ears():
-    rim = [(60, 22, -4), (67, 32, -8), (75, 29, -13), (77, 16, -14), (73, 3, -11), (65, -9, -5)]
-    r.blob((66, 12, -9), (10, 21, 13), SKIN, rotation=turn((0, 1, 0), 25))
-    r.line(curve(tapered(rim, 0.9, 1.1), 5), 6, SKIN)
-    r.press((74, 13, -1), (9, 16, 12), name="remove", strength=0.75)
-    r.line([(66, 2, 3), (68, 10, 2), (67, 17, 0)], 4, SKIN)
-    r.press((74, 14, -2), (9, 15, 12), "#b9603f", 1, "paint_soft", 0.8)
+    r.mirror = "x"
+    rim = [(60, 24, -4), (70, 34, -9), (80, 31, -15), (83, 17, -17), (77, 3, -13), (66, -10, -5)]
+    r.blob((69, 12, -9), (11, 21, 12), SKIN, rotation=turn((0, 1, 0), 30))
+    r.line(curve(tapered(rim, 0.85, 1.15), 5), 5.6, SKIN)
+    r.press((78, 14, -1), (11, 16, 12), name="remove", strength=0.8)
+    r.line([(66, 0, 4), (68, 10, 3), (66, 18, 1)], 4, SKIN)
+    r.press((76, 14, -4), (11, 16, 12), "#b9603f", 1, "paint_soft", 0.9)
 
 
 def brows():
@@ -93,33 +94,44 @@ def brows():
         def arch(t, dy=0.0):
             return (side * (8 + 31 * t), 62 + lift + 12 * math.sin(math.pi * (0.08 + 0.8 * t)) + dy)
         roll = r.front_line([arch(k / 10) for k in range(11)], 1)
-        r.line(tapered(roll, 0.8, 0.45), 7, HAIR)
-        for i in range(12):  # tufts lying along it
-            t = i / 11 * 0.86
-            lead = [arch(t, rng.uniform(-4, 1)), arch(t + 0.1, rng.uniform(-1, 3)),
-                    arch(t + 0.22, rng.uniform(0, 5))]
-            r.line(tapered(r.front_line(lead, 0.5), 0.9, 0.35), 2.6,
+        tufts = []
+        for i in range(12):  # lying along it
+            t = i / 11 * 0.84
+            tufts.append(r.front_line([arch(t, rng.uniform(-4, 1)), arch(t + 0.1, rng.uniform(-1, 3)),
+                                       arch(t + 0.2, rng.uniform(0, 4))], 5))
+        r.line(tapered(roll, 0.8, 0.45), 6.5, HAIR)
+        for tuft in tufts:
+            r.line(tapered(tuft, 0.9, 0.35), 2.6,
                    rng.choice(["#b8430f", HAIR, HAIR2]), spacing=0.12)
 
 
 def hair():
-    """Curls: helices in two heaps at the sides and round the back."""
+    """Curls: helices in two heaps at the sides and round the back, all rooted in the head."""
     r.mirror = ""
+    roots = []
     for side in (1, -1):
-        for i in range(112):
+        for _ in range(420):
             u, v = rng.random(), rng.random()
-            a = math.radians(68 + 108 * u) * side
+            a = math.radians(66 + 112 * u) * side
             e = math.radians(-20 + 62 * v * (1 - 0.2 * u))
-            d = (math.cos(e) * math.sin(a), math.sin(e), math.cos(e) * math.cos(a))
-            if 82 < abs(math.degrees(a)) < 112 and abs(math.degrees(e)) < 15:
+            if 80 < abs(math.degrees(a)) < 118 and -18 < math.degrees(e) < 19:
                 continue  # the ear
+            d = (math.cos(e) * math.sin(a), math.sin(e), math.cos(e) * math.cos(a))
             p = r.toward((0, 16, -8), d, 120)
-            n = unit(mix(d, (0.3 * side, rng.uniform(-0.5, 0.6), rng.uniform(-0.4, 0.4)), 0.45))
-            radius = rng.uniform(7, 10)
-            points = spiral(add(p, d, -3), n, radius, radius * 0.35, rng.uniform(13, 20),
-                            rng.uniform(1.6, 2.3), rng.uniform(0, 360), 10)
-            r.line(tapered(points, 0.9, 0.5), 4.6, rng.choice([HAIR, HAIR, HAIR2]), spacing=0.25,
-                   strength=0.6)
+            if all(length(sub(p, q)) > 10.5 for q, _, _ in roots):
+                roots.append((p, d, side))
+    for p, d, side in roots:
+        r.soft(add(p, d, 2), 8, HAIR)
+    tiers = [root + ((3, 11),) for root in roots]
+    tiers += [root + ((13, 21),) for root in roots
+              if abs(root[1][0]) > 0.6 and length(sub(root[0], (78 * root[2], 14, -12))) > 20]
+    for p, d, side, heights in tiers:
+        n = unit(mix(d, (0.3 * side, rng.uniform(-0.5, 0.6), rng.uniform(-0.4, 0.4)), 0.4))
+        radius = rng.uniform(7.5, 10.5)
+        points = spiral(add(p, d, rng.uniform(*heights)), n, radius, radius * 0.25,
+                        rng.uniform(9, 16), rng.uniform(1.6, 2.4), rng.uniform(0, 360), 10)
+        r.line(tapered(points, 0.9, 0.55), 3.7, rng.choice([HAIR, HAIR, HAIR2, "#c9500f"]),
+               spacing=0.25, strength=0.6)
 
 
 def ruff():
@@ -218,8 +230,9 @@ def paint():
     # The eyes again, since paint spilt on them is white, and the irises.
     gaze = unit((0.05, -0.03, 1))
     p = add((22, 21, 44), gaze, 17)
-    r.press(p, (9.5, 9.5, 9), "#2a6fb0", 4, "paint_soft", 1, profile="box")
-    r.press(p, (4.8, 4.8, 6), "#0c0a10", 4, "paint_soft", 1, profile="box")
+    r.press(p, (11, 11, 10), "#1c3f78", 2, "paint_soft", 1, profile="box")
+    r.press(p, (9.4, 9.4, 10), "#3f8fd0", 2, "paint_soft", 0.9, profile="box")
+    r.press(p, (5.6, 5.6, 7), "#0c0a10", 2, "paint_soft", 1, profile="box")
     r.mirror = ""
     for s in (1, -1):
         g = add(p if s == 1 else (-p[0], p[1], p[2]), (3.4, 3.6, 0))

@@ -11,7 +11,7 @@ rng = random.Random(1998)
 scan = Scan(sys.argv[2], 0.03)
 r = Recording(CELL, emit_scene=False)
 RED, CREAM, ORANGE, GREEN, BROWN, PLUM, GOLD = ("#b3262b", "#f1e4c8", "#e8741e", "#4f8a38",
-                                                "#7a4a2c", "#4b2f63", "#e2ac3a")
+                                                "#5b3018", "#4b2f63", "#e2ac3a")
 
 
 def smooth_parts():
@@ -155,7 +155,7 @@ def letters():
             line += [mix(a, b, k / 4) for k in range(4)]
         line = scan.front_line(line + [path[-1]], 0.004)
         r.line(line, 0.0105, name="remove", strength=0.35)
-        r.line(line, 0.008, "#6b3a22", name="paint_soft", strength=0.6)
+        r.line(line, 0.008, "#43200f", name="paint_soft", strength=0.6)
     heart = [(0, -0.03), (0.03, 0.005), (0.036, 0.022), (0.024, 0.036), (0.008, 0.03), (0, 0.014)]
     for side in (1, -1):
         line = scan.front_line([(x + 0.085 + side * a, y - 0.105 + b * 0.8) for a, b in

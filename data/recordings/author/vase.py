@@ -55,9 +55,9 @@ def lips():
 
 
 def beads():
-    r.mirror_at = (0, 0, 0)
-    r.press(at(0, 65, 1), 7.5, CREAM, 2, profile="box", radial=("y", 24))
-    r.press(at(0, -104, 2), 6.5, CREAM, 2, profile="box", radial=("y", 16))
+    for place, size, count in ((at(0, 65, 1), 7.5, 24), (at(0, -104, 2), 6.5, 16)):
+        r.press(place, size, CREAM, 2, profile="box", radial=("y", count))
+        r.press(place, size, CREAM, 2, "paint_soft", 0.8, profile="box", radial=("y", count))
 
 
 def leaves():
@@ -109,7 +109,8 @@ def vine():
         r.line(curl, 3.0, GOLD, radial=("y", n), strength=0.5)
         for dx, dy in ((0, 0), (4.5, -5), (-4.5, -5), (0, -9.5)):
             p = at(base + 14 + math.degrees(dx / 78), y0 + up * (17 + dy * 0.8), 2)
-            r.press(p, 5.2, "#9c2f3a", 2, profile="box", radial=("y", n))
+            r.press(p, 5.4, "#9c2f3a", 2, profile="box", radial=("y", n))
+            r.press(p, 5.4, "#9c2f3a", 2, "paint_soft", 0.9, profile="box", radial=("y", n))
 
 
 def meander():
