@@ -21,12 +21,15 @@ std::string faultOf(const std::string& lines) {
 }
 
 TEST(Recording, everyOperationSurvivesTheRoundTrip) {
-  const std::string text = kHeader +
-                           R"({"op":"scene","spacing":0.5,"iso":0.25}
-{"op":"fill","shape":"capsule","center":[1,2,3],"radii":[4,5,6],"rotation":[0.5,0.5,0.5,0.5],"colour":"#010203"}
+  const std::string text =
+      kHeader +
+      R"({"op":"scene","spacing":0.5,"iso":0.25}
+{"op":"fill","shape":"capsule","center":[1,2,3],"radii":[4,5,6],)"
+      R"("rotation":[0.5,0.5,0.5,0.5],"colour":"#010203"}
 {"op":"tool","shape":"box","profile":"box","radii":[4,5,6],"rotation":[1,0,0,0]}
 {"op":"action","name":"paint_soft","strength":0.125,"colour":"#c8643c"}
-{"op":"stroke","points":[[0,0,0],[10,0,0,0.5]],"spacing":0.5,"mirror":"xz","mirror_at":[1,0,0],"radial":{"axis":"z","count":6},"pressure":["strength","size"]}
+{"op":"stroke","points":[[0,0,0],[10,0,0,0.5]],"spacing":0.5,"mirror":"xz",)"
+      R"("mirror_at":[1,0,0],"radial":{"axis":"z","count":6},"pressure":["strength","size"]}
 {"op":"undo","count":3}
 {"op":"redo"}
 {"op":"resample","spacing":0.25}

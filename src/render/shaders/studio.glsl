@@ -67,7 +67,8 @@ Lit studio(vec3 n, vec3 v) {
   for (int i = 0; i < 4; ++i) {
     vec3 l = lightDirection[i].xyz;
     float nl = dot(n, l);
-    vec3 d = lightColour[i].rgb * wrapped(nl, lightDirection[i].w) * roughDiffuse(nl, nv, dot(l, v));
+    vec3 d = lightColour[i].rgb * wrapped(nl, lightDirection[i].w)
+        * roughDiffuse(nl, nv, dot(l, v));
     if (i == kKey) lit.key = d;
     else lit.rest += d;
   }
