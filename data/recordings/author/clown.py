@@ -12,7 +12,10 @@ UP = (0, 1, 0)
 
 
 def plinth():
-    r.blob((0, -150, -4), (66, 14, 66), "#4a3a34", shape="cylinder")
+    for y, rad in ((-158, 60), (-148, 58), (-138, 56)):
+        r.blob((0, y, -4), (rad, 11, rad), "#4a3a34")
+    for y, rad in ((-157, 54), (-148, 57)):
+        r.line(ring(rad, y, 48, (0, 0, -4)), 9, "#4a3a34")
     r.line(ring(63, -138, 48, (0, 0, -4)), 6, "#4a3a34")
     r.line(ring(66, -158, 48, (0, 0, -4)), 7, "#4a3a34")
 
@@ -97,7 +100,8 @@ def brows():
         tufts = []
         for i in range(12):  # lying along it
             t = i / 11 * 0.84
-            tufts.append(r.front_line([arch(t, rng.uniform(-4, 1)), arch(t + 0.1, rng.uniform(-1, 3)),
+            tufts.append(r.front_line([arch(t, rng.uniform(-4, 1)),
+                                       arch(t + 0.1, rng.uniform(-1, 3)),
                                        arch(t + 0.2, rng.uniform(0, 4))], 5))
         r.line(tapered(roll, 0.8, 0.45), 6.5, HAIR)
         for tuft in tufts:

@@ -25,14 +25,15 @@ def egg():
         p = (EGG[0] + 76 * math.sin(a), top, EGG[2] + 76 * math.cos(a))
         q = after(turn((0, 1, 0), math.degrees(a)), turn((0, 0, 1), 45))
         size = rng.uniform(15, 21)
-        r.press(add(p, (0, 20, 0)), (size, size, 40), name="remove", strength=1, times=3, rotation=q,
-                shape="box", profile="box")
+        r.press(add(p, (0, 20, 0)), (size, size, 40), name="remove", strength=1, times=3,
+                rotation=q, shape="box", profile="box")
     r.press(add(EGG, (0, 86, 0)), (110, 50, 110), name="remove", strength=1, times=3,
             shape="cylinder", profile="box")
 
 
 def shell_marks():
     r.mirror = ""
+    rng = random.Random(11)
     for k in range(70):
         a, e = rng.uniform(0, 360), rng.uniform(-62, 18)
         d = (math.cos(math.radians(e)) * math.sin(math.radians(a)), math.sin(math.radians(e)),
@@ -43,7 +44,7 @@ def shell_marks():
         r.press(p, (size * rng.uniform(1, 1.6), size, size), SPOT, 2, "paint_soft",
                 rng.uniform(0.35, 0.8), rotation=q, profile="box")
     # Cracks running down from the rim.
-    for a0 in (24, 95, 160, 210, 300):
+    for a0 in (6, 62, 118, 170, 230, 300):
         a, e, points = a0, 24, []
         while e > rng.uniform(-34, -8):
             d = (math.cos(math.radians(e)) * math.sin(math.radians(a)), math.sin(math.radians(e)),
@@ -52,9 +53,9 @@ def shell_marks():
             e -= rng.uniform(5, 9)
             a += rng.uniform(-9, 9)
         points = [mix(p, q, k / 3) for p, q in zip(points, points[1:]) for k in range(3)]
-        r.line(tapered(points, 1, 0.3, 0.8), 1.8, name="remove", strength=0.35,
+        r.line(tapered(points, 1, 0.3, 0.8), 2.1, name="remove", strength=0.3,
                pressure=["strength"])
-        r.line(points, 1.3, "#5d4a3a", name="paint_soft", strength=0.5)
+        r.line(points, 2.2, "#6b5542", name="paint_soft", strength=0.3)
 
 
 def body():
@@ -113,7 +114,7 @@ def face():
         near = add((p[0] * s, p[1], p[2]), (4.6, 5.6, 0))
         heart = (eye[0] * s, eye[1], eye[2])
         light = add(heart, unit(sub(near, heart)), radius)
-        r.press(light, (3, 3, 4), "#ffffff", 4, "paint_soft", 1, profile="box")
+        r.press(light, (3.9, 3.9, 5), "#ffffff", 2, "paint_soft", 1, profile="box")
     r.mirror = "x"
     # Nostrils.
     r.press((16, 32, 81), (6.5, 5, 7), name="remove", strength=1)
@@ -132,8 +133,21 @@ def face():
     # The egg tooth and two fangs.
     for x, y, size in ((12, 9, 1.0), (20, 10.5, 0.7)):
         p2 = r.front(x, y - 1)
-        r.line([p2 + (1.0,), add(p2, (0.5, -6, 1)) + (0.75,), add(p2, (0.5, -11 * size, 0)) + (0.4,)],
-               3.8 * size, HORN, spacing=0.1)
+        r.line([p2 + (1.0,), add(p2, (0.5, -6, 1)) + (0.75,),
+                add(p2, (0.5, -11 * size, 0)) + (0.4,)], 3.8 * size, HORN, spacing=0.1)
+
+
+def creases():
+    """Wrinkles on the muzzle and round the eyes; lighter freckles."""
+    r.mirror = "x"
+    for line in ([(9, 49), (17, 45), (24, 38)], [(8, 44), (16, 40), (23, 33)],
+                 [(30, 26), (38, 25), (45, 29)], [(29, 22), (38, 20), (46, 24)]):
+        points = r.front_line(curve(line, 5), 1)
+        r.line(tapered(points, 0.2, 0.2), 2.6, name="remove", strength=0.2, pressure=["strength"])
+    for _ in range(16):
+        p = r.front(rng.uniform(26, 48), rng.uniform(6, 24))
+        if p:
+            r.press(p, rng.uniform(2.4, 3.6), "#a9c47c", 1, "paint_soft", 0.8)
 
 
 def horns():
@@ -225,7 +239,7 @@ def scales():
 
 def throat():
     r.mirror = ""
-    for k in range(7):
+    for k in range(6):
         y = 0 - 9.5 * k
         points = []
         for x in (-17, -12, -6, 0, 6, 12, 17):
@@ -277,7 +291,8 @@ def tail():
     r.line([p + (size(i) / 14,) for i, p in enumerate(path)], 14, SKIN, spacing=0.07)
     out = lambda i: unit((path[i][0], 0.6 * (path[i][1] + 140), path[i][2]))
     for i in range(12, n - 6, 4):
-        p, d = add(path[i], out(i), size(i) * 0.8), unit(add(out(i), unit(sub(path[i + 1], path[i]))))
+        p = add(path[i], out(i), size(i) * 0.8)
+        d = unit(add(out(i), unit(sub(path[i + 1], path[i]))))
         r.line([add(p, d, size(i) * 0.28 * j) + (1 - 0.17 * j,) for j in range(5)], size(i) * 0.55,
                FRILL, spacing=0.1)
     tip = path[-1]
@@ -345,6 +360,7 @@ tint()
 scales()
 crest()
 face()
+creases()
 neck_marks()
 shell_marks()
 claws()

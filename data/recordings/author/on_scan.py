@@ -182,7 +182,7 @@ def carrot():
         r.press(add(mix(a, b, 0.45), (dx, dy, dz)), 0.026, name="erase", strength=1)
     r.tool(0.035)
     r.action("smooth", 0.8)
-    r.stroke([add(mix(a, b, 0.45), (0.01, 0.01, 0.01))] * 2 + [add(mix(a, b, 0.5), (0, 0.01, 0))], 0.08)
+    r.stroke([add(mix(a, b, 0.45), (0.01, 0.01, 0.01)), add(mix(a, b, 0.5), (0, 0.01, 0))], 0.08)
     for k in range(9):
         s = rng.uniform(-1, 1)
         leaf = curve([a, add(a, (-0.05, 0.02 + 0.02 * abs(s), 0.03 * s - 0.02)),

@@ -1,8 +1,8 @@
 """Writes recordings, and knows where the clay is.
 
 A Recording appends operations and keeps every dab, so that a script can ask where the surface lies
-(`cast`, `front`, `toward`) and draw on it. What it knows is the program's own arithmetic without the
-grid; smoothing is not followed.
+(`cast`, `front`, `toward`) and draw on it. What it knows is the program's own arithmetic without
+the grid; smoothing is not followed.
 """
 import json
 import math
@@ -110,7 +110,9 @@ def tapered(points, first, last, middle=1.0):
     """The points with pressure first → middle → last along the line."""
     n = max(len(points) - 1, 1)
     def at(t):
-        return first + (middle - first) * t * 2 if t < 0.5 else middle + (last - middle) * (2 * t - 1)
+        if t < 0.5:
+            return first + (middle - first) * t * 2
+        return middle + (last - middle) * (2 * t - 1)
     return [tuple(p[:3]) + (at(i / n),) for i, p in enumerate(points)]
 
 
@@ -209,8 +211,8 @@ class Recording:
         print(f"{path}: {self.strokes} strokes, {len(self.dabs)} dabs, {size // 1024} KiB")
 
     # Common gestures. Radii are of the surface they leave.
-    def press(self, centre, radii, colour=None, times=1, name="add", strength=1.0, rotation=(1, 0, 0, 0),
-              shape="ellipsoid", profile="wyvill", mirror=None, radial=None):
+    def press(self, centre, radii, colour=None, times=1, name="add", strength=1.0,
+              rotation=(1, 0, 0, 0), shape="ellipsoid", profile="wyvill", mirror=None, radial=None):
         """The tool pressed `times` times on the spot, its limit at `radii`."""
         self.tool(radii, rotation, shape, profile)
         self.action(name, strength, colour)
@@ -235,8 +237,8 @@ class Recording:
             radii = (radii,) * 3
         self.press(centre, tuple(r * 2 for r in radii), colour, 1, rotation=rotation, **more)
 
-    def line(self, points, radius, colour=None, name="add", strength=0.6, spacing=0.25, pressure=None,
-             rotation=(1, 0, 0, 0), squash=(1, 1, 1), **more):
+    def line(self, points, radius, colour=None, name="add", strength=0.6, spacing=0.25,
+             pressure=None, rotation=(1, 0, 0, 0), squash=(1, 1, 1), **more):
         """A roll of clay (or a furrow) along a line; fourth numbers are taken as size."""
         most = max([p[3] for p in points if len(p) > 3], default=1.0)
         if most > 1:  # a pressure is at most 1

@@ -1,4 +1,4 @@
-"""A footed vase: lathe, leaves and vines in relief, a carved meander, glaze bands, hollow inside."""
+"""A footed vase: lathe, leaves and vine in relief, a carved meander, glaze bands, hollow inside."""
 import math
 import sys
 from sculpt import *
