@@ -55,6 +55,31 @@ float DensityWindow::Level::sample(glm::vec3 p) const {
   return a + (b - a) * f.x;
 }
 
+float DensityWindow::Level::smoothSample(glm::vec3 p) const {
+  const glm::vec3 q = (p - first) * texelsPerCell;
+  const glm::ivec3 low = glm::ivec3(glm::floor(q + .5f)) - 1;  // of the 3×3×3 texels round q
+  for (int axis = 0; axis < 3; ++axis)
+    if (low[axis] < 0 || low[axis] + 3 > count[axis]) return 0;
+  const glm::vec3 f = q - glm::vec3(low + 1);
+  const glm::vec3 weight[3] = {.5f * (.5f - f) * (.5f - f), .75f - f * f,
+                               .5f * (.5f + f) * (.5f + f)};
+  const std::size_t sy = std::size_t(count.z), sx = sy * std::size_t(count.y);
+  const float* corner = texels.data() + std::size_t(low.x) * sx + std::size_t(low.y) * sy + low.z;
+  float sum = 0;
+  for (int x = 0; x < 3; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      const float* row = corner + std::size_t(x) * sx + std::size_t(y) * sy;
+      const float along = row[0] * weight[0].z + row[1] * weight[1].z + row[2] * weight[2].z;
+      sum += along * weight[x].x * weight[y].y;
+    }
+  }
+  return sum;
+}
+
+float DensityWindow::smoothSample(glm::vec3 p, int level) const {
+  return levels_[std::size_t(level)].smoothSample(p);
+}
+
 float DensityWindow::sample(glm::vec3 p, float level) const {
   level = std::clamp(level, float(finest_), float(OcclusionVolume::kLevels) - 1.001f);
   const int n = int(level);

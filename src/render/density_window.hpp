@@ -17,6 +17,10 @@ class DensityWindow {
   /// Occupancy at `p` (cells from the box's low corner), between two levels; 0 beyond the window.
   float sample(glm::vec3 p, float level) const;
 
+  /// The same in one level by quadratic B-splines: no trace of the texels, which linear samples
+  /// leave as rings on smooth clay. 27 texels.
+  float smoothSample(glm::vec3 p, int level) const;
+
  private:
   struct Level {
     glm::vec3 first{0};  // place of texel (0,0,0), cells from the box's low corner
@@ -25,6 +29,7 @@ class DensityWindow {
     std::vector<float> texels;
 
     float sample(glm::vec3 p) const;
+    float smoothSample(glm::vec3 p) const;
   };
 
   std::array<Level, OcclusionVolume::kLevels> levels_;

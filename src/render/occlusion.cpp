@@ -52,7 +52,7 @@ VertexLight lightAt(const DensityWindow& window, vec3 p, vec3 normal, float reac
   light.open = std::pow(std::min(1.f, open / kPlaneSum), kExponent);
   const float length = glm::length(bent);
   light.bent = length > 1e-3f ? bent / length : normal;
-  const auto beyondFlat = [&](int level) { return window.sample(p, float(level)) - .5f; };
+  const auto beyondFlat = [&](int level) { return window.smoothSample(p, level) - .5f; };
   light.cavity = std::clamp(
       2.2f * (1.6f * beyondFlat(1) + 1.0f * beyondFlat(2) + .5f * beyondFlat(3)), -1.f, 1.f);
   return light;

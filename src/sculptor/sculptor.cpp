@@ -71,6 +71,13 @@ OperationReport BasicSculptor<Side>::apply(const Operation& operation, Progress&
 }
 
 template <int Side>
+ToolShape BasicSculptor<Side>::tool() const {
+  ToolShape ball;
+  ball.radii *= field_.scale.spacing;
+  return tool_.value_or(ball);
+}
+
+template <int Side>
 double BasicSculptor<Side>::mass() const {
   return static_cast<double>(massUnits_) * kMassUnit * cellVolume(field_.scale);
 }
@@ -119,7 +126,7 @@ template <int Side>
 void BasicSculptor<Side>::run(const StrokeOperation& operation, OperationReport& report,
                               Progress& progress) {
   Edit<Block> edit(field_.tree);
-  StrokeRunner<Side> runner(edit, field_.scale, tool_, action_, operation.stroke);
+  StrokeRunner<Side> runner(edit, field_.scale, tool(), action_, operation.stroke);
   report.dabs = runner.dabCount();
   try {
     for (std::int64_t n = 0; n < report.dabs; ++n) {

@@ -47,7 +47,7 @@ glm::dquat normalisedRotation(const glm::dquat& rotation) {
 FittedTool fitTool(const ToolShape& shape, double spacing) {
   FittedTool fitted{shape, {}};
   fitted.shape.rotation = normalisedRotation(shape.rotation);
-  double smallest = shape.radii[0] / spacing;
+  double smallest = shape.radii[0] / spacing, corners = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const double cells = shape.radii[axis] / spacing;
     if (!(cells > 0) || !(cells <= kLargestToolCells)) {
@@ -55,7 +55,12 @@ FittedTool fitTool(const ToolShape& shape, double spacing) {
                   numberText(kLargestToolCells * spacing) + " (4096 cells) expected");
     }
     smallest = std::fmin(smallest, cells);
+    corners *= 2 * cells;
     fitted.shape.radii[axis] = std::fmax(shape.radii[axis], kSmallestToolCells * spacing);
+  }
+  if (corners > kMostToolCorners) {
+    throw Error("tool: covers " + numberText(corners) +
+                " corners, at most 2^29 expected: fill, or a coarser grid, serves such sizes");
   }
   if (smallest < kSmallestToolCells) {
     fitted.notice = "tool radius of " + numberText(smallest) +

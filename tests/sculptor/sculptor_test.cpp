@@ -178,6 +178,14 @@ TEST(Sculptor, thinToolsAreWidenedAndThatIsSaid) {
   EXPECT_THROW(sculptor.apply(parseOperation(R"({"op":"tool","radii":[0,8,8]})", "")), Error);
 }
 
+TEST(Sculptor, theFirstToolIsABallOfEightCells) {
+  Sculptor sculptor;
+  sculptor.apply(SceneOperation{0.01, std::nullopt});
+  const auto stroke = parseOperation(R"({"op":"stroke","points":[[0,0,0]]})", "");
+  EXPECT_EQ(sculptor.apply(stroke).visited, 17 * 17 * 17);
+  EXPECT_THROW(sculptor.apply(parseOperation(R"({"op":"tool","radii":[8,8,8]})", "")), Error);
+}
+
 TEST(Replay, aFinerGridGivesTheSameShape) {
   ReplayOptions finer;
   finer.spacing = 0.25;

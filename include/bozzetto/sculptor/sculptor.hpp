@@ -2,6 +2,7 @@
 // give the same field, bit for bit, on any number of threads and with blocks of any side.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "bozzetto/base/progress.hpp"
@@ -47,7 +48,8 @@ class BasicSculptor {
 
   const Field<Side>& field() const { return field_; }
   const History& history() const { return history_; }
-  const ToolShape& tool() const { return tool_; }
+  /// The tool of the next stroke; as long as nobody chose one, a ball of 8 cells.
+  ToolShape tool() const;
   const ActionOptions& action() const { return action_; }
   /// The surface as of the last operation. Needs upkeep.
   const Surface<Side>& surface() const { return surface_; }
@@ -74,7 +76,7 @@ class BasicSculptor {
   typename Field<Side>::Tree shown_;  // what the surface shows: shares blocks with the field
   History history_;
   SurfaceUpkeep upkeep_;
-  ToolShape tool_;
+  std::optional<ToolShape> tool_;
   ActionOptions action_;
   MassSum massUnits_ = 0;
 };

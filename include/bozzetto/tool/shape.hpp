@@ -35,6 +35,8 @@ struct ToolShape {
 
 /// Narrower tools are not sampled properly by the grid (Ferley §6); wider ones are mistakes.
 inline constexpr double kSmallestToolCells = 2, kLargestToolCells = 4096;
+/// Corners in the box of a tool: what a dab may have to write, 8 bytes each.
+inline constexpr double kMostToolCorners = 1 << 29;
 
 /// A tool as it can be used on a grid.
 struct FittedTool {
@@ -43,7 +45,8 @@ struct FittedTool {
 };
 
 /// Widens radii under two cells of `spacing` to two and says so. Throws Error for radii that are
-/// not finite, not above 0 or beyond 4096 cells, and for rotations that cannot be normalised.
+/// not finite, not above 0 or beyond 4096 cells, for boxes of more than 2²⁹ corners, and for
+/// rotations that cannot be normalised.
 FittedTool fitTool(const ToolShape& shape, double spacing);
 
 /// The rotation with length 1. Throws Error when it has none.
