@@ -47,11 +47,12 @@ std::vector<std::uint32_t> getPlanes(ByteReader& in, std::size_t expected,
     throw Error(name + ": " + std::to_string(count) + " words in planes, " +
                 std::to_string(expected) + " expected");
   }
-  std::vector<std::uint32_t> words(in.remaining() / 4 >= count ? count : 0);
-  for (const int shift : {0, 8, 16, 24}) {
-    const auto plane = in.take(count);
+  const auto planes = in.take(4 * std::size_t{count});  // all are there before any is written
+  std::vector<std::uint32_t> words(count);
+  for (std::size_t byte = 0; byte < 4; ++byte) {
+    const auto plane = planes.subspan(byte * count, count);
     for (std::size_t n = 0; n < count; ++n) {
-      words[n] |= std::to_integer<std::uint32_t>(plane[n]) << shift;
+      words[n] |= std::to_integer<std::uint32_t>(plane[n]) << (8 * byte);
     }
   }
   return words;
