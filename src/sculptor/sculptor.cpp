@@ -150,24 +150,14 @@ void BasicSculptor<Side>::run(const StrokeOperation& operation, OperationReport&
 template <int Side>
 void BasicSculptor<Side>::run(const UndoOperation& operation, OperationReport& report, Progress&) {
   for (int n = 0; n < operation.count && history_.canUndo(); ++n) {
-    const typename History::Step* step = nullptr;
-    {
-      const Timer timer(report.msHistory);
-      step = &history_.undo(field_.tree);
-    }
-    revisit(*step, Direction::backward, report);
+    revisit(&History::undo, Direction::backward, report);
   }
 }
 
 template <int Side>
 void BasicSculptor<Side>::run(const RedoOperation& operation, OperationReport& report, Progress&) {
   for (int n = 0; n < operation.count && history_.canRedo(); ++n) {
-    const typename History::Step* step = nullptr;
-    {
-      const Timer timer(report.msHistory);
-      step = &history_.redo(field_.tree);
-    }
-    revisit(*step, Direction::forward, report);
+    revisit(&History::redo, Direction::forward, report);
   }
 }
 
@@ -226,13 +216,18 @@ void BasicSculptor<Side>::refresh(std::span<const KeyRun> changed, OperationRepo
   delta.apply(shown_, Direction::forward);
 }
 
+// One step back or forth.
 template <int Side>
-void BasicSculptor<Side>::revisit(const typename History::Step& step, Direction direction,
-                                  OperationReport& report) {
-  field_.scale = direction == Direction::forward ? step.note.after : step.note.before;
-  account(step.delta, direction);
-  report.changedBlocks += step.delta.changes.size();
-  refresh(step.delta.keys(), report);
+void BasicSculptor<Side>::revisit(Move move, Direction direction, OperationReport& report) {
+  const typename History::Step* step = nullptr;
+  {
+    const Timer timer(report.msHistory);
+    step = &(history_.*move)(field_.tree);
+  }
+  field_.scale = direction == Direction::forward ? step->note.after : step->note.before;
+  account(step->delta, direction);
+  report.changedBlocks += step->delta.changes.size();
+  refresh(step->delta.keys(), report);
 }
 
 // Keeps the ledger: exact, whatever the order of changes.

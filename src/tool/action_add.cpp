@@ -42,8 +42,7 @@ class Add final : public Action {
 
   bool leaves(const BlockSummary& block) const override {
     const bool full = block.uniform && block.value == 1;
-    return full &&
-           (((block.attributes ^ tool_) & kColourBits) == 0 || holdOf(block.attributes) == 255);
+    return full && (sameColour(block.attributes, tool_) || holdOf(block.attributes) == 255);
   }
 
   Outcome apply(const BlockView& block, float strength) const override {

@@ -21,8 +21,8 @@ class Paint final : public Action {
 
   bool leaves(const BlockSummary& block) const override {
     if (!block.present) return true;
-    return block.uniform && (((block.attributes ^ tool_) & kColourBits) == 0 ||
-                             holdOf(block.attributes) >= kHardHold);
+    return block.uniform &&
+           (sameColour(block.attributes, tool_) || holdOf(block.attributes) >= kHardHold);
   }
   Outcome apply(const BlockView& block, float) const override {
     return run(block, PaintRule{block.potential, tool_});

@@ -24,7 +24,7 @@ class PaintSoft final : public Action {
   bool leaves(const BlockSummary& block) const override {
     if (!block.present) return true;
     return block.uniform &&
-           (((block.attributes ^ tool_) & kColourBits) == 0 || holdOf(block.attributes) == 255);
+           (sameColour(block.attributes, tool_) || holdOf(block.attributes) == 255);
   }
   Outcome apply(const BlockView& block, float strength) const override {
     if (!meetsOtherColour(block, tool_)) return {};

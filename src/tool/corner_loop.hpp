@@ -17,6 +17,9 @@ namespace bozzetto {
 
 inline constexpr Attributes kColourBits = 0xffffff, kHoldBits = 0xff000000;
 
+/// The same colour, whatever the hold.
+inline bool sameColour(Attributes a, Attributes b) { return ((a ^ b) & kColourBits) == 0; }
+
 // All bits where hard actions act: hold < 128.
 BOZZETTO_KERNEL std::int32_t yieldMask(Attributes attributes) {
   return ~signMask(static_cast<std::int32_t>(attributes));

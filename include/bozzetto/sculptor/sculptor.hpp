@@ -67,7 +67,8 @@ class BasicSculptor {
   void keep(Edit<Block>& edit, FieldScale scale, OperationReport& report);
   void showAll();
   void refresh(std::span<const KeyRun> changed, OperationReport& report);
-  void revisit(const typename History::Step& step, Direction direction, OperationReport& report);
+  using Move = const typename History::Step& (History::*)(KeyTree<Block>&);
+  void revisit(Move move, Direction direction, OperationReport& report);
   void account(const Delta<Block>& delta, Direction direction);
   double mass() const;
 
