@@ -1,117 +1,94 @@
 #include "bozzetto/base/file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
-#include <cstring>
-#include <string>
 
 namespace bozzetto {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void fail(const fs::path& path, const char* what) {
-  throw Error(path.string() + ": cannot " + what + ": " + std::strerror(errno));
+constexpr std::string_view kTemporaryStart = ".bozzetto-", kTemporaryEnd = ".tmp";
+
+// Short whatever the real name, which may have all 255 bytes that names can have.
+fs::path temporaryIn(const fs::path& folder) {
+  static std::atomic<unsigned> counter{0};
+  return folder / (std::string(kTemporaryStart) + std::to_string(::getpid()) + "-" +
+                   std::to_string(counter++) + std::string(kTemporaryEnd));
 }
 
-// A file descriptor that closes itself; a temporary name that unlinks itself unless it was kept.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  int get() const { return fd_; }
-  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
+bool isTemporary(std::string_view name) {
+  return name.starts_with(kTemporaryStart) && name.ends_with(kTemporaryEnd);
+}
 
- private:
-  int fd_;
-};
-
-class TemporaryName {
- public:
-  explicit TemporaryName(fs::path path) : path_(std::move(path)) {}
-  TemporaryName(const TemporaryName&) = delete;
-  TemporaryName& operator=(const TemporaryName&) = delete;
-  ~TemporaryName() {
-    if (!path_.empty()) ::unlink(path_.c_str());
-  }
-  const fs::path& get() const { return path_; }
-  void keep() { path_.clear(); }
-
- private:
-  fs::path path_;
-};
-
-void writeAll(int fd, std::span<const std::byte> bytes, const fs::path& name) {
+void writeToStandardOutput(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(name, "write");
+    if (written < 0) throw FileError("standard output", "write", errno);
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
-}
-
-fs::path temporaryBeside(const fs::path& path) {
-  static std::atomic<unsigned> counter{0};
-  return fs::path(path.string() + ".tmp" + std::to_string(::getpid()) + "." +
-                  std::to_string(counter++));
-}
-
-void syncFolderOf(const fs::path& path) {
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (fd.get() >= 0) ::fsync(fd.get());
 }
 
 }  // namespace
 
 bool isStandardOutput(const fs::path& path) { return path == "-" || path == "/dev/stdout"; }
 
-Bytes readFile(const fs::path& path, std::size_t limit) {
-  const Descriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (fd.get() < 0) fail(path, "open");
-  struct stat info {};
-  if (::fstat(fd.get(), &info) != 0) fail(path, "read");
-  if (!S_ISREG(info.st_mode)) throw Error(path.string() + ": not a regular file");
-  const auto size = static_cast<std::size_t>(info.st_size);
+Bytes readFile(const fs::path& path, std::size_t limit, FileSystem& files) {
+  const auto file = files.open(path, OpenMode::readFollowing);
+  const std::uint64_t size = file->info().bytes;
   if (size > limit) {
     throw Error(path.string() + ": " + std::to_string(size) + " bytes, at most " +
                 std::to_string(limit) + " expected");
   }
-  Bytes bytes(size);
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t got = ::read(fd.get(), bytes.data() + done, size - done);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail(path, "read");
-    if (got == 0) break;
-    done += static_cast<std::size_t>(got);
-  }
-  bytes.resize(done);
+  Bytes bytes(static_cast<std::size_t>(size));
+  bytes.resize(file->read(0, bytes));
   return bytes;
 }
 
-void writeFile(const fs::path& path, std::span<const std::byte> bytes) {
-  if (isStandardOutput(path)) {
-    writeAll(STDOUT_FILENO, bytes, "standard output");
-    return;
+void writeFile(const fs::path& path, std::span<const std::byte> bytes, FileSystem& files) {
+  if (isStandardOutput(path)) return writeToStandardOutput(bytes);
+  NewFile file(path, files);
+  file.file().write(0, bytes);
+  file.putInPlace();
+}
+
+NewFile::NewFile(fs::path path, FileSystem& files) : files_(&files), path_(std::move(path)) {
+  // Again where another program has the name, or just took ours for a leftover.
+  while (!file_ || !file_->tryLock() || files.info(temporary_) != file_->info()) {
+    temporary_ = temporaryIn(folderOf(path_));
+    try {
+      file_ = files.open(temporary_, OpenMode::createNew);
+      file_->callIt(path_);
+    } catch (const FileError& error) {
+      temporary_.clear();
+      if (error.fault() != FileFault::exists) throw FileError(path_, "write", error.number());
+    }
   }
-  TemporaryName temporary(temporaryBeside(path));
-  Descriptor fd(
-      ::open(temporary.get().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-  if (fd.get() < 0) fail(path, "write");
-  writeAll(fd.get(), bytes, path);
-  if (::fsync(fd.get()) != 0) fail(path, "sync");
-  if (!fd.close()) fail(path, "write");
-  if (::rename(temporary.get().c_str(), path.c_str()) != 0) fail(path, "rename into place");
-  temporary.keep();
-  syncFolderOf(path);
+}
+
+NewFile::~NewFile() {
+  if (file_) file_->closeOnce();
+  if (!temporary_.empty()) files_->removeOnce(temporary_);
+}
+
+void NewFile::putInPlace(Existing existing) {
+  file_->sync();
+  file_->close();
+  files_->rename(temporary_, path_, existing);
+  temporary_.clear();
+  files_->syncFolder(folderOf(path_));
+}
+
+void removeLeftovers(const fs::path& folder, FileSystem& files) {
+  for (const std::string& name : files.list(folder)) {
+    if (!isTemporary(name)) continue;
+    try {
+      if (files.open(folder / name, OpenMode::update)->tryLock()) files.remove(folder / name);
+    } catch (const Error&) {
+    }
+  }
 }
 
 }  // namespace bozzetto
