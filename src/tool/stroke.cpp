@@ -9,19 +9,6 @@
 namespace bozzetto {
 namespace {
 
-std::vector<StrokePath::Sample> relativePoints(const Stroke& stroke, Key origin, double spacing) {
-  std::vector<StrokePath::Sample> points;
-  for (const StrokePoint& point : stroke.points) {
-    cellOf(point.position, spacing, "stroke point");
-    if (!(point.pressure >= 0 && point.pressure <= 1)) {
-      throw Error("stroke pressure: " + std::to_string(point.pressure) +
-                  " found, a number in 0…1 expected");
-    }
-    points.push_back({relativeTo(origin, point.position, spacing), point.pressure});
-  }
-  return points;
-}
-
 void requireValid(const Stroke& stroke) {
   if (stroke.points.empty()) throw Error("stroke: no points found, at least one expected");
   if (!(stroke.spacing > 0) || !std::isfinite(stroke.spacing)) {
@@ -47,7 +34,11 @@ template <int Side>
 StrokeRunner<Side>::StrokeRunner(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
                                  const ToolShape& tool, const ActionOptions& action,
                                  const Stroke& stroke)
-    : edit_(&edit), walker_(edit), strength_(action.strength), pressure_(stroke.pressure) {
+    : edit_(&edit),
+      spacing_(scale.spacing),
+      walker_(edit),
+      strength_(action.strength),
+      pressure_(stroke.pressure) {
   requireValid(stroke);
   const FittedTool fitted = fitTool(tool, scale.spacing);
   tool_ = fitted.shape;
@@ -59,15 +50,47 @@ StrokeRunner<Side>::StrokeRunner(Edit<CornerBlock<Side>>& edit, const FieldScale
   origin_ = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
   images_ = imagesOf(stroke.symmetry);
   centre_ = relativeTo(origin_, stroke.symmetry.centre, scale.spacing);
-  const auto points = relativePoints(stroke, origin_, scale.spacing);
-  requireRoom(points);
-  path_.emplace(points, stroke.spacing * smallest(tool_.radii));
-  const double count = path_->count();
+  path_.emplace(relative(stroke.points), stroke.spacing * smallest(tool_.radii));
+  count_ = countOf(*path_);
+}
+
+template <int Side>
+void StrokeRunner<Side>::extend(std::span<const StrokePoint> points) {
+  const std::size_t before = path_->pointCount();
+  for (const StrokePath::Sample& point : relative(points)) path_->append(point);
+  try {
+    count_ = countOf(*path_);
+  } catch (...) {
+    path_->shorten(before);
+    throw;
+  }
+}
+
+// In cells from the origin; all dabs there have room.
+template <int Side>
+std::vector<StrokePath::Sample> StrokeRunner<Side>::relative(
+    std::span<const StrokePoint> points) const {
+  std::vector<StrokePath::Sample> samples;
+  for (const StrokePoint& point : points) {
+    cellOf(point.position, spacing_, "stroke point");
+    if (!(point.pressure >= 0 && point.pressure <= 1)) {
+      throw Error("stroke pressure: " + std::to_string(point.pressure) +
+                  " found, a number in 0…1 expected");
+    }
+    samples.push_back({relativeTo(origin_, point.position, spacing_), point.pressure});
+  }
+  requireRoom(samples);
+  return samples;
+}
+
+template <int Side>
+std::int64_t StrokeRunner<Side>::countOf(const StrokePath& path) const {
+  const double count = path.count();
   if (!(count * static_cast<double>(images_.size()) <= static_cast<double>(kMostDabs))) {
     throw Error("stroke: " + std::to_string(count) + " dabs × " + std::to_string(images_.size()) +
                 " images found, at most 10 million expected");
   }
-  count_ = static_cast<std::int64_t>(count);
+  return static_cast<std::int64_t>(count);
 }
 
 // Dabs between points lie between their boxes.

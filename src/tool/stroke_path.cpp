@@ -7,14 +7,29 @@
 
 namespace bozzetto {
 
-StrokePath::StrokePath(std::vector<Sample> points, double step)
-    : points_(std::move(points)), step_(step) {
-  double along = 0;
-  distance_.reserve(points_.size());
-  for (std::size_t n = 0; n < points_.size(); ++n) {
-    if (n > 0) along += glm::length(points_[n].position - points_[n - 1].position);
-    distance_.push_back(along);
-  }
+StrokePath::StrokePath(const std::vector<Sample>& points, double step) : step_(step) {
+  points_.reserve(points.size());
+  distance_.reserve(points.size());
+  for (const Sample& point : points) append(point);
+}
+
+void StrokePath::append(const Sample& point) {
+  const double along =
+      points_.empty() ? 0
+                      : distance_.back() + glm::length(point.position - points_.back().position);
+  points_.push_back(point);
+  distance_.push_back(along);
+}
+
+void StrokePath::shorten(std::size_t count) {
+  points_.resize(count);
+  distance_.resize(count);
+}
+
+std::int64_t StrokePath::sure() const {
+  auto last = static_cast<std::int64_t>(distance_.back() / step_);
+  while (static_cast<double>(last) * step_ > distance_.back()) --last;
+  return last + 1;
 }
 
 double StrokePath::count() const {

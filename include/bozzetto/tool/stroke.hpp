@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,9 +43,15 @@ class StrokePath {
   };
 
   /// `points` in cells; `step` > 0 in cells.
-  StrokePath(std::vector<Sample> points, double step);
+  StrokePath(const std::vector<Sample>& points, double step);
+  void append(const Sample& point);
+  std::size_t pointCount() const { return points_.size(); }
+  /// Forgets the points after the first `count`, at least one.
+  void shorten(std::size_t count);
   /// 1 + ⌊length / step⌋, as a double because it may be absurd.
   double count() const;
+  /// How many of these stay as they are however the line goes on.
+  std::int64_t sure() const;
   Sample at(std::int64_t n) const;
 
  private:
@@ -63,8 +70,13 @@ class StrokeRunner {
   StrokeRunner(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, const ToolShape& tool,
                const ActionOptions& action, const Stroke& stroke);
 
-  std::int64_t dabCount() const { return count_; }       ///< symmetric images not counted
-  const std::string& notice() const { return notice_; }  ///< about the tool; may be empty
+  /// Goes on through these points, while the stroke is drawn: the dabs are those of a stroke that
+  /// had them from the start. Throws Error as for those and leaves the stroke as it was.
+  void extend(std::span<const StrokePoint> points);
+
+  std::int64_t dabCount() const { return count_; }         ///< symmetric images not counted
+  std::int64_t sureDabs() const { return path_->sure(); }  ///< those that `extend` cannot move
+  const std::string& notice() const { return notice_; }    ///< about the tool; may be empty
 
   /// Makes the n-th dab and its images.
   DabReport dab(std::int64_t n);
@@ -75,9 +87,12 @@ class StrokeRunner {
  private:
   DabPose poseAt(const StrokePath::Sample& sample) const;
   ToolShape sized(double pressure) const;
+  std::vector<StrokePath::Sample> relative(std::span<const StrokePoint> points) const;
   void requireRoom(const std::vector<StrokePath::Sample>& points) const;
+  std::int64_t countOf(const StrokePath& path) const;
 
   Edit<CornerBlock<Side>>* edit_;
+  double spacing_;
   DabWalker<Side> walker_;
   ToolShape tool_;  // radii in cells
   std::unique_ptr<Potential> potential_;

@@ -1,0 +1,79 @@
+// What operations work on: the clay with its surface, its history and its ledger, and what the
+// sculptor holds in the hand. Operations change the clay through an Edit and `keep` it.
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+
+#include "bozzetto/field/field.hpp"
+#include "bozzetto/history/undo_stack.hpp"
+#include "bozzetto/sculptor/report.hpp"
+#include "bozzetto/surface/surface.hpp"
+#include "bozzetto/tool/action.hpp"
+#include "bozzetto/tool/shape.hpp"
+
+namespace bozzetto {
+
+/// Whether the surface follows the field. `afterEachDab` is what a window shows and what the
+/// paper counts; without it nothing is meshed.
+enum class SurfaceUpkeep { none, afterEachDab };
+
+/// What strokes take; no step of history.
+struct Hand {
+  std::optional<ToolShape> chosen;  ///< as asked for: a finer grid may take it as it is
+  ActionOptions action;
+
+  /// The tool; as long as nobody chose one, a ball of 8 cells.
+  ToolShape tool(double spacing) const;
+};
+
+template <int Side>
+class Workbench {
+ public:
+  using Block = CornerBlock<Side>;
+  using Tree = typename Field<Side>::Tree;
+  /// What a step of history knows beside its delta.
+  struct StepNote {
+    std::string label;
+    FieldScale before, after;
+  };
+  using History = UndoStack<Block, StepNote>;
+
+  Workbench(Field<Side> field, SurfaceUpkeep upkeep);
+
+  const Field<Side>& field() const { return field_; }
+  const History& history() const { return history_; }
+  const Surface<Side>& surface() const { return surface_; }  ///< needs upkeep
+  double mass() const;  ///< world units; a ledger, not a count: O(1)
+
+  Hand hand;
+
+  /// The clay, for an Edit.
+  Tree& tree() { return field_.tree; }
+  /// For clay that has neither corners nor steps; others go through `keep`.
+  void setScale(const FieldScale& scale) { field_.scale = scale; }
+  /// Ends the edit: one step of history, whatever it changed.
+  void keep(Edit<Block>& edit, const FieldScale& scale, OperationReport& report);
+  void keep(Edit<Block>& edit, OperationReport& report) { keep(edit, field_.scale, report); }
+  /// Brings the surface to what the clay is now inside these runs, in the middle of an edit.
+  void refresh(std::span<const KeyRun> changed, OperationReport& report);
+  /// Makes the surface anew, after a rollback.
+  void showAll();
+  /// One step back or forth; nothing when there is none. True when there was one.
+  bool revisit(Direction direction, OperationReport& report);
+
+ private:
+  void account(const Delta<Block>& delta, Direction direction);
+
+  Field<Side> field_;
+  Surface<Side> surface_;
+  Tree shown_;  // what the surface shows: shares blocks with the field
+  History history_;
+  SurfaceUpkeep upkeep_;
+  MassSum massUnits_ = 0;
+};
+
+extern template class Workbench<1>;
+extern template class Workbench<8>;
+
+}  // namespace bozzetto

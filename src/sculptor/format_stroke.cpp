@@ -1,0 +1,76 @@
+// stroke in JSON.
+#include "sculptor/operation_format.hpp"
+
+namespace bozzetto {
+namespace {
+
+Symmetry readSymmetry(JsonObject& object) {
+  Symmetry result;
+  for (const char letter : object.text("mirror", "")) {
+    if (letter < 'x' || letter > 'z') object.fail("mirror", "some of the letters x, y, z");
+    result.mirror[static_cast<std::size_t>(letter - 'x')] = true;
+  }
+  result.centre = readVector(object, "mirror_at", {0, 0, 0});
+  if (object.has("radial")) {
+    JsonObject radial(object.required("radial"), object.where() + ": radial");
+    result.radialAxis = readAxis(radial, "axis");
+    result.radialCount = radial.integer("count", 1);
+    radial.done();
+  }
+  return result;
+}
+
+void writeSymmetry(const Symmetry& symmetry, Json& json) {
+  std::string mirror;
+  for (std::size_t n = 0; n < 3; ++n) {
+    if (symmetry.mirror[n]) mirror += static_cast<char>('x' + n);
+  }
+  const bool radial = symmetry.radialCount != 1;
+  if (!mirror.empty()) json["mirror"] = mirror;
+  if (radial) {
+    const std::string axis(1, static_cast<char>('x' + index(symmetry.radialAxis)));
+    json["radial"] = {{"axis", axis}, {"count", symmetry.radialCount}};
+  }
+  if (radial || !mirror.empty()) json["mirror_at"] = listOf(symmetry.centre);
+}
+
+PressureTargets readPressureTargets(JsonObject& object) {
+  PressureTargets targets;
+  if (!object.has("pressure")) return targets;
+  const Json& list = object.required("pressure");
+  if (!list.is_array()) object.fail("pressure", "a list of \"strength\" and \"size\"");
+  for (const Json& name : list) {
+    if (name != "strength" && name != "size") {
+      object.fail("pressure", "a list of \"strength\" and \"size\"");
+    }
+    (name == "size" ? targets.size : targets.strength) = true;
+  }
+  return targets;
+}
+
+StrokeOperation readStroke(JsonObject& object) {
+  Stroke stroke;
+  stroke.points = readPoints(object);
+  stroke.spacing = object.number("spacing", 0.25);
+  stroke.pressure = readPressureTargets(object);
+  stroke.symmetry = readSymmetry(object);
+  return {std::move(stroke)};
+}
+
+Json writeStroke(const StrokeOperation& operation) {
+  const Stroke& stroke = operation.stroke;
+  Json json{{"points", listOf(stroke.points)}, {"spacing", stroke.spacing}};
+  if (stroke.pressure.strength) json["pressure"].push_back("strength");
+  if (stroke.pressure.size) json["pressure"].push_back("size");
+  writeSymmetry(stroke.symmetry, json);
+  return json;
+}
+
+}  // namespace
+
+std::span<const OperationFormat> strokeFormats() {
+  static constexpr OperationFormat kFormats[] = {formatOf<readStroke, writeStroke>("stroke")};
+  return kFormats;
+}
+
+}  // namespace bozzetto

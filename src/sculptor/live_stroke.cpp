@@ -1,0 +1,75 @@
+#include "bozzetto/sculptor/live_stroke.hpp"
+
+#include <algorithm>
+
+#include "sculptor/dab_counts.hpp"
+#include "sculptor/timer.hpp"
+
+namespace bozzetto {
+namespace {
+
+// A dab and its mirror images list their blocks one after the other.
+std::vector<KeyRun> sortedOnce(std::vector<KeyRun> runs) {
+  std::ranges::sort(runs, {}, &KeyRun::key);
+  const auto sameKey = [](const KeyRun& a, const KeyRun& b) { return a.key == b.key; };
+  runs.erase(std::unique(runs.begin(), runs.end(), sameKey), runs.end());
+  return runs;
+}
+
+}  // namespace
+
+template <int Side>
+LiveStroke<Side>::LiveStroke(Workbench<Side>& bench, Stroke stroke)
+    : bench_(&bench),
+      stroke_(std::move(stroke)),
+      edit_(bench.tree()),
+      runner_(edit_, bench.field().scale, bench.hand.tool(bench.field().scale.spacing),
+              bench.hand.action, stroke_) {
+  report_.op = "stroke";
+  report_.massBefore = bench.mass();
+}
+
+template <int Side>
+LiveStroke<Side>::~LiveStroke() {
+  if (finished_) return;
+  edit_.rollback();
+  bench_->showAll();
+}
+
+template <int Side>
+void LiveStroke<Side>::extend(std::span<const StrokePoint> points) {
+  runner_.extend(points);
+  stroke_.points.insert(stroke_.points.end(), points.begin(), points.end());
+}
+
+template <int Side>
+bool LiveStroke<Side>::dab() {
+  if (report_.dabs >= runner_.sureDabs()) return false;
+  makeDab();
+  return true;
+}
+
+template <int Side>
+void LiveStroke<Side>::makeDab() {
+  DabReport dab;
+  {
+    const Timer timer(report_.msField);
+    dab = runner_.dab(report_.dabs++);
+  }
+  addCounts(dab, bench_->field().scale.spacing, report_);
+  bench_->refresh(sortedOnce(std::move(dab.changed)), report_);
+}
+
+template <int Side>
+OperationReport LiveStroke<Side>::finish() {
+  while (report_.dabs < runner_.dabCount()) makeDab();
+  bench_->keep(edit_, report_);
+  finished_ = true;
+  report_.massAfter = bench_->mass();
+  return report_;
+}
+
+template class LiveStroke<1>;
+template class LiveStroke<8>;
+
+}  // namespace bozzetto

@@ -1,0 +1,38 @@
+// What each operation does: one function a kind, in the file of its family (run_FAMILY.cpp),
+// instantiated there for both block sides. All or nothing: what throws has changed nothing.
+#pragma once
+#include "bozzetto/base/progress.hpp"
+#include "bozzetto/sculptor/operation.hpp"
+#include "bozzetto/sculptor/workbench.hpp"
+
+namespace bozzetto {
+
+/// Whom a run tells what it does.
+struct Telling {
+  OperationReport& report;
+  Progress& progress;
+};
+
+template <int Side>
+void run(const SceneOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const FillOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const ResampleOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const ToolOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const ActionOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const StrokeOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const UndoOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const RedoOperation& operation, Workbench<Side>& bench, const Telling& telling);
+
+/// At the end of a family's file.
+#define BOZZETTO_RUNS(Kind)                                      \
+  template void run(const Kind&, Workbench<1>&, const Telling&); \
+  template void run(const Kind&, Workbench<8>&, const Telling&)
+
+}  // namespace bozzetto

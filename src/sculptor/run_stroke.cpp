@@ -1,0 +1,17 @@
+// stroke: a live one that gets all its points at once.
+#include "bozzetto/sculptor/live_stroke.hpp"
+#include "sculptor/run.hpp"
+
+namespace bozzetto {
+
+template <int Side>
+void run(const StrokeOperation& operation, Workbench<Side>& bench, const Telling& telling) {
+  LiveStroke<Side> stroke(bench, operation.stroke);
+  const auto count = static_cast<double>(stroke.plannedDabs());
+  for (double n = 0; stroke.dab(); ++n) telling.progress.step("stroke", n / count);
+  telling.report = stroke.finish();
+}
+
+BOZZETTO_RUNS(StrokeOperation);
+
+}  // namespace bozzetto
