@@ -54,7 +54,11 @@ void writeFile(const fs::path& path, std::span<const std::byte> bytes, FileSyste
   file.putInPlace();
 }
 
-NewFile::NewFile(fs::path path, FileSystem& files) : files_(&files), path_(std::move(path)) {
+NewFile::NewFile(fs::path path, FileSystem& files, Nameless)
+    : files_(&files), path_(std::move(path)) {}
+
+// Delegates, so that the destructor tidies up when this fails half way.
+NewFile::NewFile(fs::path path, FileSystem& files) : NewFile(std::move(path), files, Nameless{}) {
   // Again where another program has the name, or just took ours for a leftover.
   while (!file_ || !file_->tryLock() || files.info(temporary_) != file_->info()) {
     temporary_ = temporaryIn(folderOf(path_));

@@ -37,6 +37,9 @@ class NewFile {
   void putInPlace(Existing existing = Existing::replace);
 
  private:
+  struct Nameless {};
+  NewFile(std::filesystem::path path, FileSystem& files, Nameless);
+
   FileSystem* files_;
   std::filesystem::path path_, temporary_;
   std::unique_ptr<File> file_;
