@@ -77,12 +77,14 @@ NewFile::~NewFile() {
   if (!temporary_.empty()) files_->removeOnce(temporary_);
 }
 
-void NewFile::putInPlace(Existing existing) {
+void NewFile::putInPlace(Existing existing) { putInPlaceAs(path_, existing); }
+
+void NewFile::putInPlaceAs(const fs::path& path, Existing existing) {
   file_->sync();
   file_->close();
-  files_->rename(temporary_, path_, existing);
+  files_->rename(temporary_, path, existing);
   temporary_.clear();
-  files_->syncFolder(folderOf(path_));
+  files_->syncFolder(folderOf(path));
 }
 
 void removeLeftovers(const fs::path& folder, FileSystem& files) {

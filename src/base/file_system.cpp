@@ -20,8 +20,10 @@ auto must(const fs::path& path, const char* what, const Call& call) {
 
 }  // namespace
 
-FileError::FileError(const fs::path& path, const std::string& what, int number)
-    : Error(path.string() + ": cannot " + what + ": " + std::strerror(number)), number_(number) {}
+FileError::FileError(const fs::path& path, const std::string& tried, int number)
+    : Error(path.string() + ": cannot " + tried + ": " + std::strerror(number)),
+      tried_(tried),
+      number_(number) {}
 
 FileFault FileError::fault() const {
   switch (number_) {

@@ -1,24 +1,26 @@
 #include "scene/database.hpp"
 
-#include "scene/page_check.hpp"
-
 namespace bozzetto {
 
-Database::Database(const char* file, int flags, const char* layer, std::string name)
-    : name_(std::move(name)) {
+Database::Database(const char* file, int flags, std::unique_ptr<SqliteFiles> layer,
+                   std::string name)
+    : name_(std::move(name)), layer_(std::move(layer)) {
   sqlite3* opened = nullptr;
-  const int result = sqlite3_open_v2(file, &opened, flags | SQLITE_OPEN_NOMUTEX, layer);
+  const int result = sqlite3_open_v2(file, &opened, flags | SQLITE_OPEN_NOMUTEX,
+                                     layer_ ? layer_->name() : nullptr);
   handle_.reset(opened);
   if (result != SQLITE_OK) fail("open");
   sqlite3_extended_result_codes(get(), 1);
 }
 
-Database Database::forWriting(const std::filesystem::path& file, std::string name) {
+Database Database::forWriting(const std::filesystem::path& file, std::string name,
+                              FileSystem& files, Sharing sharing) {
   // An absolute name starts with a slash and can be nothing but a file.
   const std::string absolute = std::filesystem::absolute(file).string();
-  Database database(absolute.c_str(), SQLITE_OPEN_READWRITE, pageCheckLayer(), std::move(name));
+  Database database(absolute.c_str(), SQLITE_OPEN_READWRITE,
+                    std::make_unique<SqliteFiles>(files, sharing), std::move(name));
   sqlite3_busy_timeout(database.get(), 2000);
-  database.run("PRAGMA trusted_schema=OFF; PRAGMA mmap_size=0");
+  database.run("PRAGMA trusted_schema=OFF; PRAGMA mmap_size=0; PRAGMA temp_store=MEMORY");
   return database;
 }
 
@@ -35,6 +37,12 @@ Database Database::ofImage(std::span<const std::byte> image, std::string name) {
 
 void Database::fail(const std::string& what) const {
   const char* reason = handle_ ? sqlite3_errmsg(get()) : "out of memory";
+  const int code = handle_ ? sqlite3_errcode(get()) & 0xff : SQLITE_NOMEM;
+  const bool disk = code == SQLITE_IOERR || code == SQLITE_FULL || code == SQLITE_CANTOPEN;
+  // The disk's own words say more than SQLite's.
+  if (disk && layer_ && layer_->fault()) {
+    throw FileError(name_, layer_->fault()->tried(), layer_->fault()->number());
+  }
   throw Error(name_ + ": cannot " + what + ": " + reason);
 }
 

@@ -9,14 +9,17 @@
 #include <string>
 
 #include "bozzetto/base/bytes.hpp"
+#include "scene/sqlite_files.hpp"
 
 namespace bozzetto {
 
 class Database {
  public:
   /// An existing file to write, through the layer that checks pages. The name is taken as it is: no
-  /// URI, no ":memory:".
-  static Database forWriting(const std::filesystem::path& file, std::string name);
+  /// URI, no ":memory:". Errors call it `name`.
+  static Database forWriting(const std::filesystem::path& file, std::string name,
+                             FileSystem& files = FileSystem::real(),
+                             Sharing sharing = Sharing::locked);
 
   /// A database image in memory, read-only, which must outlive the database. Careful settings for
   /// images from strangers.
@@ -33,9 +36,10 @@ class Database {
   struct Close {
     void operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
   };
-  Database(const char* file, int flags, const char* layer, std::string name);
+  Database(const char* file, int flags, std::unique_ptr<SqliteFiles> layer, std::string name);
 
   std::string name_;
+  std::unique_ptr<SqliteFiles> layer_;  // outlives the handle
   std::unique_ptr<sqlite3, Close> handle_;
 };
 

@@ -1,13 +1,5 @@
 #include "bozzetto/scene/scene_file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <atomic>
-#include <cerrno>
-#include <cstring>
-
 #include "bozzetto/base/file.hpp"
 #include "scene/database.hpp"
 #include "scene/scene_read.hpp"
@@ -18,64 +10,13 @@ namespace bozzetto {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void fail(const fs::path& path, const char* what) {
-  throw Error(path.string() + ": cannot " + what + ": " + std::strerror(errno));
-}
-
-// A new empty file beside `path`; gone again, with SQLite's journal, unless it was put in place.
-class NewFile {
- public:
-  explicit NewFile(const fs::path& path) : path_(path) {
-    static std::atomic<unsigned> counter{0};
-    temporary_ =
-        path.string() + ".tmp" + std::to_string(::getpid()) + "." + std::to_string(counter++);
-    const int fd =
-        ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (fd < 0) fail(path, "write");
-    ::close(fd);
-  }
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-  ~NewFile() {
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
-  }
-  const fs::path& get() const { return temporary_; }
-
-  void putInPlace() {
-    sync(temporary_, O_WRONLY, "sync");
-    removeOldJournal();
-    if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "rename into place");
-    temporary_.clear();
-    sync(path_.has_parent_path() ? path_.parent_path() : fs::path("."), O_RDONLY | O_DIRECTORY,
-         nullptr);
-  }
-
- private:
-  // A journal left by a save that was cut off belongs to the file that goes now; SQLite would play
-  // it into the new one. The old file gets its content back first, in case we stop in between.
-  void removeOldJournal() const {
-    try {
-      finishInterruptedSave(path_);
-    } catch (const Error&) {
-    }
-    ::unlink((path_.string() + "-journal").c_str());
-  }
-
-  // Without `what`, as for folders, failing is no error.
-  void sync(const fs::path& name, int flags, const char* what) const {
-    const int fd = ::open(name.c_str(), flags | O_CLOEXEC);
-    const bool good = fd >= 0 && ::fsync(fd) == 0;
-    const int reason = errno;
-    if (fd >= 0) ::close(fd);
-    errno = reason;
-    if (!good && what != nullptr) fail(path_, what);
-  }
-
-  fs::path path_, temporary_;
-};
-
 bool samePlace(const fs::path& a, const fs::path& b) {
   return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
+}
+
+// Names may have 255 bytes, the journal's too.
+bool hasRoomForJournal(const fs::path& path) {
+  return journalOf(path).filename().string().size() <= 255;
 }
 
 // More than half of the pages hold nothing any more: time for a new file.
@@ -84,13 +25,61 @@ bool mostlyFree(Database& database) {
   return free.step() && all.step() && 2 * free.number(0) > all.number(0);
 }
 
+// A journal left by a save that was cut off belongs to the file that goes now; SQLite would play it
+// into the new one. The old file gets its content back first, in case we stop in between.
+void removeOldJournal(const fs::path& path, FileSystem& files) {
+  if (!files.info(journalOf(path))) return;
+  try {
+    finishInterruptedSave(path, files);
+  } catch (const Error&) {
+  }
+  if (files.remove(journalOf(path))) files.syncFolder(folderOf(path));
+}
+
+void copyInto(NewFile& copy, File& original) {
+  Bytes piece(std::size_t{1} << 20);
+  for (std::uint64_t at = 0;;) {
+    const std::size_t got = original.read(at, piece);
+    if (got == 0) return;
+    copy.file().write(at, std::span(piece).first(got));
+    at += got;
+  }
+}
+
+// The whole document into a file that is nobody's yet: it is synced before it gets its name.
+SaveReport writeWhole(NewFile& file, FileSystem& files, const Document& document,
+                      std::map<Key, std::int64_t>& rows, Progress& progress) {
+  Database database = Database::forWriting(file.temporaryName(), file.file().path().string(), files,
+                                           Sharing::nobodyElse);
+  database.run("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA locking_mode=EXCLUSIVE");
+  makeTables(database);
+  return writeScene(database, document, {tilesOf(document.field.tree), true}, rows, progress);
+}
+
+// "faun.bzt", 7 → "faun.007.bzt"
+fs::path numbered(const fs::path& path, unsigned number) {
+  std::string digits = std::to_string(number);
+  digits.insert(0, digits.size() < 3 ? 3 - digits.size() : 0, '0');
+  return path.parent_path() / (path.stem().string() + "." + digits + path.extension().string());
+}
+
+// The number of a copy of `path`, 0 for other names.
+unsigned numberOf(const fs::path& path, const std::string& name) {
+  const std::string start = path.stem().string() + ".", end = path.extension().string();
+  if (!name.starts_with(start) || !name.ends_with(end)) return 0;
+  if (name.size() <= start.size() + end.size()) return 0;
+  const std::string digits = name.substr(start.size(), name.size() - start.size() - end.size());
+  const bool good = digits.find_first_not_of("0123456789") == std::string::npos;
+  return good && digits.size() < 9 ? static_cast<unsigned>(std::stoul(digits)) : 0;
+}
+
 }  // namespace
 
-std::optional<SceneFile::FileStamp> SceneFile::stampOf(const fs::path& path) {
-  struct stat info {};
-  if (::lstat(path.c_str(), &info) != 0 || !S_ISREG(info.st_mode)) return std::nullopt;
-  return FileStamp{info.st_dev, info.st_ino, info.st_size, info.st_mtim.tv_sec,
-                   info.st_mtim.tv_nsec};
+fs::path previousVersionOf(const fs::path& path) { return path.string() + "~"; }
+
+std::optional<FileInfo> SceneFile::stampOf(const fs::path& path) const {
+  const auto info = files_->info(path);
+  return info && info->kind == FileInfo::Kind::file ? info : std::nullopt;
 }
 
 void SceneFile::remember(const fs::path& path, const Document& document) {
@@ -100,32 +89,43 @@ void SceneFile::remember(const fs::path& path, const Document& document) {
 }
 
 Document SceneFile::load(const fs::path& path, Progress& progress) {
-  LoadedScene loaded = readScene(path, progress);
+  LoadedScene loaded = readScene(path, progress, *files_);
   rowOfTile_ = std::move(loaded.rowOfTile);
   remember(path, loaded.document);
   return std::move(loaded.document);
 }
 
+// Once for each file. A disk that has no room for it may still have room for the save.
+void SceneFile::keepPrevious(const fs::path& path, Progress& progress) {
+  if (keptPreviousOf_ == path) return;
+  try {
+    if (stampOf(path)) {
+      NewFile copy(previousVersionOf(path), *files_);
+      copyInto(copy, *files_->open(path, OpenMode::read));
+      copy.putInPlace();
+    }
+    keptPreviousOf_ = path;
+  } catch (const FileError& error) {
+    progress.note("the previous version is not kept: " + std::string(error.what()));
+  }
+}
+
 SaveReport SceneFile::saveWhole(const fs::path& path, const Document& document,
                                 Progress& progress) {
   std::map<Key, std::int64_t> rows;
-  NewFile file(path);
-  SaveReport report;
-  {
-    Database database = Database::forWriting(file.get(), path.string());
-    // The new file is nobody's yet: it is synced as a whole before it gets its name.
-    database.run("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA locking_mode=EXCLUSIVE");
-    makeTables(database);
-    report = writeScene(database, document, {tilesOf(document.field.tree), true}, rows, progress);
-  }
+  NewFile file(path, *files_);
+  const SaveReport report = writeWhole(file, *files_, document, rows, progress);
+  removeOldJournal(path, *files_);
+  keepPrevious(path, progress);
   file.putInPlace();
   rowOfTile_ = std::move(rows);
   return report;
 }
 
-SaveReport SceneFile::saveChanges(const Document& document, Progress& progress) {
-  Database database = Database::forWriting(path_, path_.string());
-  if (mostlyFree(database)) return saveWhole(path_, document, progress);
+std::optional<SaveReport> SceneFile::saveChanges(const Document& document, Progress& progress) {
+  keepPrevious(path_, progress);
+  Database database = Database::forWriting(path_, path_.string(), *files_);
+  if (mostlyFree(database)) return std::nullopt;
   database.run("PRAGMA journal_mode=DELETE; PRAGMA synchronous=FULL");
   const bool sameHead = saved_.field.scale == document.field.scale;
   const TileChanges changes{changedTiles(saved_.field.tree, document.field.tree),
@@ -141,24 +141,50 @@ SaveReport SceneFile::saveChanges(const Document& document, Progress& progress) 
 
 SaveReport SceneFile::save(const fs::path& path, const Document& document, Progress& progress) {
   if (isStandardOutput(path)) throw Error("a scene cannot be written to standard output");
-  const bool ours = stamp_ && samePlace(path, path_) && stamp_ == stampOf(path);
-  SaveReport report = ours ? saveChanges(document, progress) : saveWhole(path, document, progress);
+  // Until this save is known to be good, nothing is known of the file.
+  const auto stamp = std::exchange(stamp_, std::nullopt);
+  const bool ours = stamp && samePlace(path, path_) && stamp == stampOf(path);
+  std::optional<SaveReport> report;
+  if (ours && hasRoomForJournal(path)) report = saveChanges(document, progress);
+  if (!report) report = saveWhole(path, document, progress);
   remember(path, document);
-  if (stamp_) report.fileBytes = static_cast<std::uintmax_t>(stamp_->bytes);
+  if (stamp_) report->fileBytes = stamp_->bytes;
+  return *report;
+}
+
+Document loadScene(const fs::path& path, Progress& progress, FileSystem& files) {
+  return readScene(path, progress, files).document;
+}
+
+SaveReport saveScene(const fs::path& path, const Document& document, Progress& progress,
+                     FileSystem& files) {
+  if (isStandardOutput(path)) throw Error("a scene cannot be written to standard output");
+  std::map<Key, std::int64_t> rows;
+  NewFile file(path, files);
+  SaveReport report = writeWhole(file, files, document, rows, progress);
+  removeOldJournal(path, files);
+  report.fileBytes = file.file().info().bytes;
+  file.putInPlace();
   return report;
 }
 
-Document loadScene(const fs::path& path, Progress& progress) {
-  return readScene(path, progress).document;
+fs::path saveNumberedCopy(const fs::path& path, const Document& document, Progress& progress,
+                          FileSystem& files) {
+  std::map<Key, std::int64_t> rows;
+  NewFile file(path, files);
+  writeWhole(file, files, document, rows, progress);
+  unsigned last = 0;
+  for (const std::string& name : files.list(folderOf(path))) {
+    last = std::max(last, numberOf(path, name));
+  }
+  const fs::path name = numbered(path, last + 1);
+  file.putInPlaceAs(name, Existing::refuse);
+  return name;
 }
 
-SaveReport saveScene(const fs::path& path, const Document& document, Progress& progress) {
-  return SceneFile().save(path, document, progress);
-}
-
-std::optional<std::string> checkScene(const fs::path& path, Progress& progress) {
+std::optional<std::string> checkScene(const fs::path& path, Progress& progress, FileSystem& files) {
   try {
-    readScene(path, progress);
+    readScene(path, progress, files);
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {

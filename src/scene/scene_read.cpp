@@ -1,7 +1,5 @@
 #include "scene/scene_read.hpp"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <cstring>
 
@@ -200,17 +198,19 @@ void plant(const Database& database, std::vector<Chunk>& chunks, LoadedScene& sc
 
 }  // namespace
 
-void finishInterruptedSave(const fs::path& path) {
-  struct stat info {};
-  if (::stat((path.string() + "-journal").c_str(), &info) != 0 || info.st_size == 0) return;
-  Database database = Database::forWriting(path, path.string());
+fs::path journalOf(const fs::path& path) { return path.string() + "-journal"; }
+
+void finishInterruptedSave(const fs::path& path, FileSystem& files) {
+  const auto journal = files.info(journalOf(path));
+  if (!journal || journal->bytes == 0) return;
+  Database database = Database::forWriting(path, path.string(), files);
   database.ask("SELECT count(*) || '' FROM sqlite_schema");
 }
 
-LoadedScene readScene(const fs::path& path, Progress& progress) {
+LoadedScene readScene(const fs::path& path, Progress& progress, FileSystem& files) {
   progress.step("load", 0);
-  finishInterruptedSave(path);
-  const Bytes file = readFile(path);
+  finishInterruptedSave(path, files);
+  const Bytes file = readFile(path, std::size_t{1} << 40, files);
   requireHeader(file, path.string());
   if (const auto page = firstBadPage(file)) {
     throw Error(path.string() + ": page " + std::to_string(*page) + " (bytes from " +

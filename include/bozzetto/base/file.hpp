@@ -35,6 +35,8 @@ class NewFile {
   const std::filesystem::path& temporaryName() const { return temporary_; }
   /// Syncs, closes, renames, syncs the folder.
   void putInPlace(Existing existing = Existing::replace);
+  /// The same under another name in the folder.
+  void putInPlaceAs(const std::filesystem::path& path, Existing existing);
 
  private:
   struct Nameless {};

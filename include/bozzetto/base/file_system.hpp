@@ -20,11 +20,13 @@ enum class FileFault { missing, exists, full, tooLarge, denied, io, unsupported,
 class FileError : public Error {
  public:
   /// `number` as in <cerrno>.
-  FileError(const std::filesystem::path& path, const std::string& what, int number);
+  FileError(const std::filesystem::path& path, const std::string& tried, int number);
   FileFault fault() const;
+  const std::string& tried() const { return tried_; }  ///< "write", "sync" …
   int number() const { return number_; }
 
  private:
+  std::string tried_;
   int number_;
 };
 
