@@ -86,8 +86,21 @@ Stage Stage::around(const CellBounds& bounds) {
 
 glm::dmat3 Camera::worldFromView() const {
   const double sy = std::sin(yaw), cy = std::cos(yaw), sp = std::sin(pitch), cp = std::cos(pitch);
-  const glm::dvec3 back(sy * cp, sp, cy * cp), right(cy, 0, -sy);
-  return {right, glm::cross(back, right), back};
+  const glm::dvec3 back(sy * cp, sp, cy * cp), right(cy, 0, -sy), up = glm::cross(back, right);
+  const double sr = std::sin(roll), cr = std::cos(roll);
+  return {right * cr + up * sr, up * cr - right * sr, back};
+}
+
+void Camera::orient(const glm::dmat3& axes) {
+  const glm::dvec3& back = axes[2];
+  pitch = std::asin(std::clamp(back.y, -1.0, 1.0));
+  roll = 0;
+  // Straight up or down all of the turn is yaw.
+  const bool pole = back.x * back.x + back.z * back.z < 1e-18;
+  yaw = pole ? std::atan2(-axes[0].z, axes[0].x) : std::atan2(back.x, back.z);
+  if (pole) return;
+  const glm::dmat3 level = worldFromView();
+  roll = std::atan2(glm::dot(axes[0], level[1]), glm::dot(axes[0], level[0]));
 }
 
 glm::dvec3 Camera::eye() const { return target + worldFromView()[2] * distance; }
@@ -110,8 +123,8 @@ Viewpoint parseViewpoint(std::string_view name) {
 Camera framed(std::span<const CellBounds> boxes, const Framing& framing) {
   Camera camera;
   const Direction direction = directionOf(framing.viewpoint);
-  camera.yaw = direction.yaw;
-  camera.pitch = direction.pitch;
+  camera.yaw = framing.yaw.value_or(direction.yaw);
+  camera.pitch = framing.pitch.value_or(direction.pitch);
   camera.projection = framing.projection;
   CellBounds all;
   for (const CellBounds& box : boxes) all.add(box);

@@ -54,6 +54,28 @@ glm::dmat4 projectionOf(const Shot& shot, double depth) {
   return glm::ortho(-half * aspect, half * aspect, -half, half, depth - kStageReach, farthest);
 }
 
+// The eye stands sideways of the camera; what lies in the plane of zero parallax stays where it
+// was: a shear along the view, which makes the frustum lean (off-axis).
+glm::dmat4 eyeShear(const Shot& shot) {
+  glm::dmat4 shear(1);
+  if (shot.eye.plane <= 0) return shear;
+  shear[3].x = -shot.eye.sideways / shot.stage.unit;
+  shear[2].x = -shot.eye.sideways / shot.eye.plane;
+  return shear;
+}
+
+// The part of the picture that is drawn becomes the whole of clip space.
+glm::dmat4 cropTo(const PixelRect& part, const Shot& shot) {
+  const glm::dvec2 scale(double(shot.width) / part.width, double(shot.height) / part.height);
+  const glm::dvec2 centre((2.0 * part.x + part.width) / shot.width - 1,
+                          (2.0 * part.y + part.height) / shot.height - 1);
+  glm::dmat4 crop(1);
+  crop[0].x = scale.x;
+  crop[1].y = scale.y;
+  crop[3] = glm::dvec4(-centre * scale, 0, 1);
+  return crop;
+}
+
 // Stage units in the frame of `axes` (columns), seen from `from` (cells), for cells from `anchor`.
 glm::dmat4 unitsFromCells(const glm::dmat3& axes, const glm::dvec3& from, const glm::dvec3& anchor,
                           double unit) {
@@ -62,14 +84,18 @@ glm::dmat4 unitsFromCells(const glm::dmat3& axes, const glm::dvec3& from, const 
   return turn * scale * glm::translate(glm::dmat4(1), anchor - from);
 }
 
-glm::dmat4 shadowMatrix(const Shot& shot, const glm::dmat3& worldFromView, const Slice& slice,
+// Near lights cast as far ones do, along the line through the stage's centre.
+glm::dmat4 shadowMatrix(const Shot& shot, const glm::dvec3& key, const Slice& slice,
                         const glm::dvec3& anchor) {
-  const glm::dvec3 key = glm::normalize(glm::dvec3(kLights[kKey].direction));
-  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), key));
+  const glm::dmat3 worldFromView = shot.camera.worldFromView();
+  const glm::dvec3 helper = std::abs(key.y) < .99 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
+  const glm::dvec3 right = glm::normalize(glm::cross(helper, key));
   const glm::dvec3 up = glm::cross(key, right);
   const glm::dvec2 shift = slice.light * kKeyBoxHalf * kBoxUsed;
   const glm::dvec3 towards = worldFromView * glm::normalize(key + right * shift.x + up * shift.y);
-  const glm::dvec3 side = glm::normalize(glm::cross(worldFromView[1], towards));
+  const bool above = std::abs(glm::dot(worldFromView[1], towards)) > .99;
+  const glm::dvec3 side =
+      glm::normalize(glm::cross(above ? -worldFromView[2] : worldFromView[1], towards));
   const glm::dmat3 axes(side, glm::cross(towards, side), towards);
   const glm::dvec3 eye = shot.stage.centre + towards * ((kSceneRadius + 2) * shot.stage.unit);
   return glm::ortho(-kSceneRadius, kSceneRadius, -kSceneRadius, kSceneRadius, .1,
@@ -88,6 +114,16 @@ glm::vec4 tapAt(int n) {
   const double radius = std::sqrt(recurrence(.7548776662466927, n) + .5);
   const double angle = kFullTurn * recurrence(.5698402909980532, n);
   return glm::vec4(radius * std::cos(angle), radius * std::sin(angle), 0, 0);
+}
+
+void setShadowing(FrameBlock& block, const Look& look, const Slice& slice) {
+  const float cast = look.detail == Detail::baked || look.studio.lights.empty() ? 0
+                     : look.mode == Mode::glass                                 ? .55f
+                                                                                : 1;
+  const int taps = slice.one ? 16 : 4;
+  for (int n = 0; n < taps; ++n) block.taps[n] = tapAt(slice.index * taps + n);
+  block.shadowing =
+      slice.one ? glm::vec4(.0085, .030, cast, taps) : glm::vec4(.0055, .024, cast, taps);
 }
 
 }  // namespace
@@ -113,31 +149,36 @@ Frame makeFrame(const Shot& anywhere, const Look& look, const Slice& slice) {
   const glm::dvec3 anchor = place(localAnchor);
   Frame frame{};
   frame.anchor = base + localAnchor;
-  frame.eyeAboveFloor =
-      camera.projection == Projection::perspective ? eye.y > stage.floor : axes[2].y >= 0;
+  const bool perspective = camera.projection == Projection::perspective;
+  const bool above = perspective ? eye.y > stage.floor : axes[2].y >= 0;
+  frame.floorInSight = above && look.floor;
 
   const double depth = glm::dot(axes[2], eye - stage.centre) / stage.unit;
-  const glm::dvec3 jitter(2 * slice.pixel.x / shot.width, 2 * slice.pixel.y / shot.height, 0);
+  const PixelRect part = shot.drawn();
+  const glm::dvec3 jitter(2 * slice.pixel.x / part.width, 2 * slice.pixel.y / part.height, 0);
   const glm::dmat4 view = unitsFromCells(axes, eye, anchor, stage.unit);
   const glm::dmat4 projection = projectionOf(shot, depth);
+  frame.clipFromCells = glm::translate(glm::dmat4(1), jitter) * cropTo(part, shot) * projection *
+                        eyeShear(shot) * view;
+  frame.width = part.width;
+  frame.height = part.height;
 
   const double scale = projection[1][1] * shot.height / 2;
   const glm::dvec3 floor = glm::dvec3(stage.centre.x, stage.floor, stage.centre.z) - anchor;
-  const float cast = look.detail == Detail::baked ? 0 : look.mode == Mode::glass ? .55f : 1;
   FrameBlock& block = frame.block;
-  block.clipFromCells = glm::translate(glm::dmat4(1), jitter) * projection * view;
-  block.viewFromCells = view;
-  block.shadowFromCells = shadowMatrix(shot, axes, slice, anchor);
+  block.clipFromCells = frame.clipFromCells;
+  const glm::dvec3 aside(-shot.eye.sideways / stage.unit, 0, 0);
+  block.viewFromCells = glm::translate(glm::dmat4(1), aside) * view;
+  frame.pose.worldFromView = glm::mat3(axes);
+  frame.pose.middle = block.viewFromCells * glm::vec4(stage.centre - anchor, 1);
+  block.shadowFromCells = shadowMatrix(shot, keyTowards(look.studio, camera), slice, anchor);
   block.worldFromView = glm::dmat4(axes);
   block.viewport = glm::vec4(shot.width, shot.height, .5, kBackgroundHeight);
-  const bool perspective = camera.projection == Projection::perspective;
+  block.part = glm::vec4(part.x, part.y, part.width, part.height);
   block.stage = glm::vec4(stage.unit, look.dither, perspective, slice.one ? kFullTurn : .6);
-  const int taps = slice.one ? 16 : 4;
-  for (int n = 0; n < taps; ++n) block.taps[n] = tapAt(slice.index * taps + n);
-  block.shadowing =
-      slice.one ? glm::vec4(.0085, .030, cast, taps) : glm::vec4(.0055, .024, cast, taps);
   block.floorPlane = glm::vec4(floor, kFloorHalf * stage.unit);
-  block.extra = glm::vec4(FloorOcclusion::kHalfUnits * stage.unit, frame.eyeAboveFloor, scale, 0);
+  block.extra = glm::vec4(FloorOcclusion::kHalfUnits * stage.unit, frame.floorInSight, scale, 0);
+  setShadowing(block, look, slice);
   return frame;
 }
 

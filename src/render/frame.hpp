@@ -3,7 +3,10 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
-#include "bozzetto/render/renderer.hpp"
+#include "bozzetto/render/look.hpp"
+#include "bozzetto/render/occlusion.hpp"
+#include "bozzetto/render/shot.hpp"
+#include "render/studio.hpp"
 
 namespace bozzetto {
 
@@ -21,7 +24,7 @@ Slice sliceAt(int n);
 /// std140 layout of frame.glsl.
 struct FrameBlock {
   glm::mat4 clipFromCells, viewFromCells, shadowFromCells, worldFromView;
-  glm::vec4 viewport, stage, shadowing, floorPlane, extra;
+  glm::vec4 viewport, part, stage, shadowing, floorPlane, extra;
   glm::vec4 taps[16];
 };
 
@@ -30,7 +33,10 @@ struct FrameBlock {
 struct Frame {
   Key anchor;
   FrameBlock block;
-  bool eyeAboveFloor = true;
+  glm::dmat4 clipFromCells{1};
+  StudioPose pose;
+  bool floorInSight = true;
+  int width = 0, height = 0;  // of the part drawn
 };
 Frame makeFrame(const Shot& shot, const Look& look, const Slice& slice);
 

@@ -10,6 +10,7 @@ Mode parseMode(std::string_view name) {
                          {{"clay", clay},
                           {"glaze", glaze},
                           {"metal", metal},
+                          {"plastic", plastic},
                           {"glass", glass},
                           {"matcap", matcap},
                           {"wire", wire}});

@@ -43,7 +43,8 @@ Ball::Ball(vec3 n) {
   sheen = std::pow(rl, 18.f);
   rim = glm::smoothstep(.25f, .75f, glm::dot(n, side));
   edge = std::pow(1 - n.z, 3.f);
-  const vec3 e = environment(r);
+  static const Surroundings studio{Studio()};
+  const vec3 e = studio.at(r);
   mirrored = e / (1.f + e);
 }
 

@@ -1,5 +1,4 @@
 // The passes of one frame: shadow map, background, floor, clay.
-#include "render/environment.hpp"
 #include "render/renderer_impl.hpp"
 
 namespace bozzetto {
@@ -45,10 +44,7 @@ Programs::Programs()
       bake({"screen.vert"}, {"colour", "studio", "bake.frag"}),
       copy({"screen.vert"}, {"copy.frag"}) {}
 
-Renderer::Impl::Impl()
-    : harmonics(ambientHarmonics()), reflections(reflectionTexture()), floorMap(floorTexture({})) {
-  gl::check("setting up the renderer");
-}
+Renderer::Impl::Impl() : floorMap(floorTexture({})) { gl::check("setting up the renderer"); }
 
 void Renderer::Impl::drawTriangle(const gl::Program& program) {
   program.use();
@@ -56,56 +52,73 @@ void Renderer::Impl::drawTriangle(const gl::Program& program) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Renderer::Impl::bindFrame(const Frame& frame) {
-  uploadBlock(gl::kFrameBlock, frameBuffer, frame.block);
-}
-
-void Renderer::Impl::bindStudio(const Look& look) {
-  uploadBlock(gl::kStudioBlock, studioBuffer, studioFor(look, harmonics));
-  gl::bindTexture(gl::environmentMap, reflections);
+// Full light asks for the good map; a moving frame takes a quick one while lights are dragged.
+void Renderer::Impl::bindStudio(const Frame& frame, const Look& look) {
+  const bool full = look.detail == Detail::full;
+  const StudioCache::Map& map =
+      studios.mapOf(look.studio, full ? MapQuality::good : MapQuality::quick);
+  const StudioBlock block = studioFor(look, map.harmonics, frame.pose);
+  uploadBlock(gl::kStudioBlock, studioBuffer, block);
+  gl::bindTexture(gl::environmentMap, map.reflections);
   gl::bindTexture(gl::shadowMap, shadow.depth);
   gl::bindTexture(gl::floorOcclusion, floorMap);
-}
-
-const gl::Texture& Renderer::Impl::bakedBall(const Look& look) {
-  gl::Texture& ball = bakedBalls[look.mode];
-  if (ball) return ball;
-  const gl::KeepTarget keep;
-  Target target(GL_RGBA8, 256, 256, Target::Depth::none);
-  target.bind();
-  drawTriangle(programs.bake);
-  ball = std::move(target.colour);
-  gl::bindTexture(gl::matcap, ball);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  return ball;
-}
-
-// Wire shows its lines on plaster.
-void Renderer::Impl::bindMatcap(const Look& look) {
   if (look.mode == Mode::matcap || look.mode == Mode::wire) {
-    const Matcap which = look.mode == Mode::wire ? Matcap::plaster : look.matcap;
-    gl::Texture& texture = painted[which];
-    if (!texture) texture = matcapTexture(which);
-    gl::bindTexture(gl::matcap, texture);
-  } else if (look.detail == Detail::baked) {
-    gl::bindTexture(gl::matcap, bakedBall(look));
+    gl::bindTexture(gl::matcap, studios.matcapOf(look));
+  } else if (!full) {
+    bindBall(block, map);
   }
 }
 
-void Renderer::Impl::drawShadowMap(const Frame& frame) {
+// The ball knows nothing of what changes without light: options that act on the pixel.
+void Renderer::Impl::bindBall(const StudioBlock& block, const StudioCache::Map& map) {
+  StudioBlock key = block;
+  key.options = {};
+  key.tint = {};
+  const gl::Texture* ball = studios.ball(key, map);
+  if (ball == nullptr) {
+    const gl::KeepTarget keep;
+    Target target(GL_RGBA8, 256, 256, Target::Depth::none);
+    target.bind();
+    drawTriangle(programs.bake);
+    gl::bindTexture(gl::matcap, target.colour);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    ball = &studios.keepBall(key, map, std::move(target.colour));
+  }
+  gl::bindTexture(gl::matcap, *ball);
+}
+
+void Renderer::Impl::setUp(const Frame& frame, const Look& look) {
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glCullFace(GL_BACK);
+  uploadBlock(gl::kFrameBlock, frameBuffer, frame.block);
+  bindStudio(frame, look);
+}
+
+void Renderer::Impl::beginShadowMap() {
+  const gl::KeepTarget keep;
+  glBindFramebuffer(GL_FRAMEBUFFER, shadow.framebuffer.get());
+  glClear(GL_DEPTH_BUFFER_BIT);
+  ++shadowTicket;
+}
+
+void Renderer::Impl::drawShadows(const Frame&, std::span<const PatchStore::Seen> chunks) {
   const gl::KeepTarget keep;
   glBindFramebuffer(GL_FRAMEBUFFER, shadow.framebuffer.get());
   glViewport(0, 0, ShadowMap::kSide, ShadowMap::kSide);
-  glClear(GL_DEPTH_BUFFER_BIT);
   const Enabled test(GL_DEPTH_TEST), cull(GL_CULL_FACE);
   programs.depth.use();
-  patches.draw(programs.depth, frame.anchor, frame.block.shadowFromCells);
+  PatchStore::draw(programs.depth, chunks);
 }
 
-// Premultiplied; the floor leaves no depth and is not there from below.
-void Renderer::Impl::drawFloor(const Frame& frame) {
-  if (!frame.eyeAboveFloor) return;
+// Background, and the floor where it is in sight: premultiplied, leaving no depth.
+void Renderer::Impl::drawBackdrop(const Frame& frame) {
+  glClear(GL_DEPTH_BUFFER_BIT);
+  drawTriangle(programs.background);
+  if (!frame.floorInSight) return;
   const Enabled blend(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   programs.floor.use();
@@ -127,32 +140,36 @@ const gl::Program& Renderer::Impl::programFor(const Look& look) const {
   }
 }
 
-void Renderer::Impl::drawClay(const Frame& frame, const Look& look) {
+void Renderer::Impl::drawClay(const Frame&, const Look& look,
+                              std::span<const PatchStore::Seen> chunks) {
   const Enabled test(GL_DEPTH_TEST), cull(GL_CULL_FACE);
   const gl::Program& program = programFor(look);
   program.use();
-  if (look.mode == Mode::glass) return drawGlass(frame);
-  patches.draw(program, frame.anchor, frame.block.clipFromCells);
-  if (look.mode == Mode::wire) drawWire(frame);
+  if (look.mode == Mode::glass) {
+    drawGlass(chunks);
+  } else {
+    PatchStore::draw(program, chunks);
+  }
+  if (look.mode == Mode::wire || look.edges) drawEdges(chunks);
 }
 
 // Per side only the layer next to the eye: depth first, then colour where depth is equal.
-void Renderer::Impl::drawGlass(const Frame& frame) {
+void Renderer::Impl::drawGlass(std::span<const PatchStore::Seen> chunks) {
   const Enabled blend(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
     glCullFace(hidden);
     glClear(GL_DEPTH_BUFFER_BIT);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    patches.draw(programs.glass, frame.anchor, frame.block.clipFromCells);
+    PatchStore::draw(programs.glass, chunks);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthFunc(GL_EQUAL);
-    patches.draw(programs.glass, frame.anchor, frame.block.clipFromCells);
+    PatchStore::draw(programs.glass, chunks);
     glDepthFunc(GL_LESS);
   }
 }
 
-void Renderer::Impl::drawWire(const Frame& frame) {
+void Renderer::Impl::drawEdges(std::span<const PatchStore::Seen> chunks) {
   const Enabled blend(GL_BLEND), offset(GL_POLYGON_OFFSET_LINE);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glPolygonOffset(-1, -8);
@@ -160,28 +177,137 @@ void Renderer::Impl::drawWire(const Frame& frame) {
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   programs.wire.use();
   programs.wire.set("ink", glm::vec4(.10f, .16f, .28f, .62f));
-  patches.draw(programs.wire, frame.anchor, frame.block.clipFromCells);
+  PatchStore::draw(programs.wire, chunks);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDepthMask(GL_TRUE);
 }
 
-void Renderer::Impl::drawFrame(const Shot& shot, const Look& look, const Slice& at) {
-  const Frame frame = makeFrame(shot, look, at);
+namespace {
+
+std::size_t trianglesOf(std::span<const PatchStore::Seen> chunks) {
+  std::size_t sum = 0;
+  for (const PatchStore::Seen& chunk : chunks) sum += chunk.triangles();
+  return sum;
+}
+
+}  // namespace
+
+std::size_t Renderer::Impl::drawFrame(const Shot& shot, const Look& look, Fineness fineness) {
+  const Frame frame = makeFrame(shot, look, Slice{});
+  setUp(frame, look);
+  if (look.detail == Detail::full) {
+    beginShadowMap();
+    drawShadows(frame, store(fineness).seen(frame.anchor, frame.block.shadowFromCells));
+  }
+  glViewport(0, 0, frame.width, frame.height);
+  const auto chunks = store(fineness).seen(frame.anchor, frame.block.clipFromCells);
+  drawBackdrop(frame);
+  drawClay(frame, look, chunks);
+  glBindVertexArray(0);
+  return trianglesOf(chunks);
+}
+
+// Everything is placed as for the whole frame; scissors and culling keep to the part.
+std::size_t Renderer::Impl::redrawPart(const Shot& shot, const Look& look, const PixelRect& part) {
+  const Frame frame = makeFrame(shot, look, Slice{});
+  Shot cropped = shot;
+  cropped.part = part;
+  const Frame seen = makeFrame(cropped, look, Slice{});
+  setUp(frame, look);
+  glViewport(0, 0, frame.width, frame.height);
+  const Enabled scissor(GL_SCISSOR_TEST);
+  glScissor(part.x, part.y, part.width, part.height);
+  const auto chunks = store(Fineness::fine).seen(frame.anchor, seen.block.clipFromCells);
+  drawBackdrop(frame);
+  drawClay(frame, look, chunks);
+  glBindVertexArray(0);
+  return trianglesOf(chunks);
+}
+
+void Renderer::Impl::begin(SliceSum& sum, const Shot& shot, const Look& look) {
+  const PixelRect part = shot.drawn();
+  if (!sum.slice || sum.slice->width != part.width || sum.slice->height != part.height) {
+    sum.slice.emplace(GL_RGBA8, part.width, part.height, Target::Depth::buffer);
+    sum.sum.emplace(GL_RGBA16F, part.width, part.height, Target::Depth::none);
+    gl::check("making room for the picture");
+    sum.slices = 0;
+  }
+  if (sum.slices == 0) {
+    sum.sum->bind();
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
+  SliceSum::Progress& next = sum.progress.emplace();
+  next.frame = makeFrame(shot, look, sliceAt(sum.slices));
+  const PatchStore& clay = store(Fineness::fine);
+  if (look.detail == Detail::full) {
+    next.shadow = clay.seen(next.frame.anchor, next.frame.block.shadowFromCells);
+    beginShadowMap();
+  }
+  next.clay = clay.seen(next.frame.anchor, next.frame.block.clipFromCells);
+  next.shadowTicket = shadowTicket;
+}
+
+namespace {
+
+// The next chunks of about `triangles` in all, at least one; all of them for 0.
+std::span<const PatchStore::Seen> nextOf(const std::vector<PatchStore::Seen>& all,
+                                         std::size_t& done, std::size_t& triangles) {
+  const std::size_t begin = done;
+  std::size_t sum = 0;
+  while (done < all.size() && (triangles == 0 || sum < triangles)) sum += all[done++].triangles();
+  if (triangles > 0) triangles = sum < triangles ? triangles - sum : 1;
+  return std::span(all).subspan(begin, done - begin);
+}
+
+}  // namespace
+
+// Shadow map, backdrop, clay, each as far as the budget goes. True when the slice is whole.
+bool Renderer::Impl::drawSome(SliceSum& sum, const Look& look, std::size_t triangles) {
+  SliceSum::Progress& p = *sum.progress;
+  const bool all = triangles == 0;
+  drawShadows(p.frame, nextOf(p.shadow, p.shadowDone, triangles));
+  if (p.shadowDone < p.shadow.size() || (!all && triangles == 1)) return false;
+  sum.slice->bind();
+  if (!p.backgroundDone) drawBackdrop(p.frame);
+  p.backgroundDone = true;
+  if (look.mode == Mode::glass || look.mode == Mode::wire || look.edges) triangles = 0;
+  drawClay(p.frame, look, nextOf(p.clay, p.clayDone, triangles));
+  return p.clayDone == p.clay.size();
+}
+
+void Renderer::Impl::addTo(SliceSum& sum) {
+  sum.sum->bind();
+  gl::bindTexture(gl::source, sum.slice->colour);
+  const Enabled blend(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  programs.copy.use();
+  programs.copy.set("weight", 1 / SliceSum::kScale);
+  drawTriangle(programs.copy);
+  ++sum.slices;
+  sum.progress.reset();
+}
+
+bool Renderer::Impl::advance(SliceSum& sum, const Shot& shot, const Look& look,
+                             std::size_t triangles) {
+  const gl::KeepTarget keep;
+  if (sum.progress && sum.progress->shadowTicket != shadowTicket) sum.progress.reset();
+  if (!sum.progress) begin(sum, shot, look);
+  setUp(sum.progress->frame, look);
+  const bool whole = drawSome(sum, look, triangles);
+  if (whole) addTo(sum);
+  glBindVertexArray(0);
+  gl::check("drawing a slice");
+  return whole;
+}
+
+void Renderer::Impl::show(const SliceSum& sum) {
+  gl::bindTexture(gl::source, sum.sum->colour);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  glDepthMask(GL_TRUE);
-  glCullFace(GL_BACK);
-  bindFrame(frame);
-  bindStudio(look);
-  bindMatcap(look);
-  if (look.detail == Detail::full) drawShadowMap(frame);
-  glViewport(0, 0, shot.width, shot.height);
-  glClear(GL_DEPTH_BUFFER_BIT);
-  drawTriangle(programs.background);
-  drawFloor(frame);
-  drawClay(frame, look);
-  glBindVertexArray(0);
+  programs.copy.use();
+  programs.copy.set("weight", SliceSum::kScale / float(sum.slices));
+  drawTriangle(programs.copy);
 }
 
 }  // namespace bozzetto

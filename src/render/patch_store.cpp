@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace bozzetto {
@@ -19,6 +20,16 @@ std::uint8_t unsigned8(float v) { return std::uint8_t(std::lround(std::clamp(v, 
 glm::vec3 difference(Key a, Key b) {
   return {float(std::int64_t{a.i} - b.i), float(std::int64_t{a.j} - b.j),
           float(std::int64_t{a.k} - b.k)};
+}
+
+CellBounds boundsOf(const PatchVertices& patch) {
+  glm::vec3 low = patch.positions[0], high = low;
+  for (const glm::vec3& p : patch.positions) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const glm::dvec3 corner(patch.origin.i, patch.origin.j, patch.origin.k);
+  return {corner + glm::dvec3(low), corner + glm::dvec3(high)};
 }
 
 // False when all corners of the chunk at `origin` lie beyond one side of the view.
@@ -58,25 +69,33 @@ std::vector<PatchStore::Vertex> PatchStore::packed(const PatchVertices& patch, g
     packed[n] = {
         patch.positions[n] + shift,
         {signed16(normal.x), signed16(normal.y), signed16(normal.z), signed16(light.cavity)},
-        {colour.r, colour.g, colour.b, 255},
+        {colour.r, colour.g, colour.b,
+         std::uint8_t(255 - (patch.hold.empty() ? 0 : patch.hold[n]))},
         {unsigned8(bent.x), unsigned8(bent.y), unsigned8(bent.z), unsigned8(light.open)}};
   }
   return packed;
 }
 
-void PatchStore::upload(const PatchVertices& patch) {
-  if (patch.indices.empty()) return remove(patch.origin);
+CellBounds PatchStore::upload(const PatchVertices& patch, std::int64_t& bytes) {
+  if (patch.indices.empty()) return remove(patch.origin, bytes);
   const Key key = chunkOf(patch.origin);
   const glm::vec3 shift = difference(patch.origin, key * kChunkCells);
-  chunks_[key].put(patch.origin, packed(patch, shift),
-                   {patch.indices.begin(), patch.indices.end()});
+  Chunk& chunk = chunks_[key];
+  CellBounds changed = chunk.remove(patch.origin, bytes);
+  Slot& slot =
+      chunk.put(patch.origin, packed(patch, shift), {patch.indices.begin(), patch.indices.end()});
+  slot.bounds = boundsOf(patch);
+  changed.add(slot.bounds);
+  bytes += std::int64_t(slot.vertexCount * sizeof(Vertex) + slot.indexCount * 4);
+  return changed;
 }
 
-void PatchStore::remove(Key origin) {
+CellBounds PatchStore::remove(Key origin, std::int64_t& bytes) {
   const auto chunk = chunks_.find(chunkOf(origin));
-  if (chunk == chunks_.end()) return;
-  chunk->second.remove(origin);
+  if (chunk == chunks_.end()) return {};
+  const CellBounds changed = chunk->second.remove(origin, bytes);
   if (chunk->second.slots.empty()) chunks_.erase(chunk);
+  return changed;
 }
 
 std::size_t PatchStore::triangleCount() const {
@@ -85,24 +104,22 @@ std::size_t PatchStore::triangleCount() const {
   return sum;
 }
 
-void PatchStore::draw(const gl::Program& program, Key anchor,
-                      const glm::mat4& clipFromCells) const {
-  struct Seen {
-    float distance;
-    glm::vec3 origin;
-    const Chunk* chunk;
-  };
+std::vector<PatchStore::Seen> PatchStore::seen(Key anchor, const glm::mat4& clipFromCells) const {
   std::vector<Seen> seen;
   for (const auto& [key, chunk] : chunks_) {
     const glm::vec3 origin = difference(key * kChunkCells, anchor);
     if (!touchesClip(origin, clipFromCells)) continue;
     const glm::vec3 middle = origin + kChunkCells / 2.f;
-    seen.push_back({glm::dot(middle, middle), origin, &chunk});
+    seen.push_back({origin, &chunk, glm::dot(middle, middle)});
   }
   std::stable_sort(seen.begin(), seen.end(),
                    [](const Seen& a, const Seen& b) { return a.distance < b.distance; });
+  return seen;
+}
+
+void PatchStore::draw(const gl::Program& program, std::span<const Seen> chunks) {
   const GLint place = program.at("chunkOrigin");
-  for (const auto& [distance, origin, chunk] : seen) {
+  for (const auto& [origin, chunk, distance] : chunks) {
     glUniform3f(place, origin.x, origin.y, origin.z);
     glBindVertexArray(chunk->array.get());
     glDrawElements(GL_TRIANGLES, GLsizei(chunk->indexRanges.size()), GL_UNSIGNED_INT, nullptr);
@@ -130,11 +147,13 @@ void PatchStore::GrowingBuffer::write(std::size_t at, const void* data, std::siz
   glBufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(at), GLsizeiptr(bytes), data);
 }
 
-void PatchStore::Chunk::put(Key origin, const std::vector<Vertex>& vertex,
-                            std::vector<std::uint32_t> index) {
-  remove(origin);
-  const Slot slot{vertexRanges.take(vertex.size()), vertex.size(), indexRanges.take(index.size()),
-                  index.size()};
+PatchStore::Slot& PatchStore::Chunk::put(Key origin, const std::vector<Vertex>& vertex,
+                                         std::vector<std::uint32_t> index) {
+  const Slot slot{vertexRanges.take(vertex.size()),
+                  vertex.size(),
+                  indexRanges.take(index.size()),
+                  index.size(),
+                  {}};
   const bool movedVertices = vertices.reserve(vertexRanges.size() * sizeof(Vertex));
   const bool movedIndices = indices.reserve(indexRanges.size() * sizeof(std::uint32_t));
   if (movedVertices || movedIndices) describeVertices();
@@ -142,14 +161,14 @@ void PatchStore::Chunk::put(Key origin, const std::vector<Vertex>& vertex,
   vertices.write(slot.vertex * sizeof(Vertex), vertex.data(), vertex.size() * sizeof(Vertex));
   indices.write(slot.index * sizeof(std::uint32_t), index.data(),
                 index.size() * sizeof(std::uint32_t));
-  slots[origin] = slot;
   triangles += slot.indexCount / 3;
+  return slots[origin] = slot;
 }
 
 // The hole that stays draws nothing: its triangles are points.
-void PatchStore::Chunk::remove(Key origin) {
+CellBounds PatchStore::Chunk::remove(Key origin, std::int64_t& bytes) {
   const auto found = slots.find(origin);
-  if (found == slots.end()) return;
+  if (found == slots.end()) return {};
   const Slot slot = found->second;
   const std::vector<std::uint32_t> nothing(slot.indexCount, 0);
   indices.write(slot.index * sizeof(std::uint32_t), nothing.data(),
@@ -157,7 +176,9 @@ void PatchStore::Chunk::remove(Key origin) {
   vertexRanges.free(slot.vertex, slot.vertexCount);
   indexRanges.free(slot.index, slot.indexCount);
   triangles -= slot.indexCount / 3;
+  bytes += std::int64_t(slot.indexCount * 4);
   slots.erase(found);
+  return slot.bounds;
 }
 
 void PatchStore::Chunk::describeVertices() {

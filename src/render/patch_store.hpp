@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 
+#include "bozzetto/render/camera.hpp"
 #include "bozzetto/render/patch.hpp"
 #include "render/gl.hpp"
 #include "render/range_allocator.hpp"
@@ -10,15 +11,37 @@
 namespace bozzetto {
 
 class PatchStore {
+ private:
+  struct Chunk;
+
  public:
-  void upload(const PatchVertices& patch);
-  void remove(Key origin);
+  /// A chunk in sight. Good until a patch comes or goes.
+  struct Seen {
+    glm::vec3 origin{0};  // cells from the anchor
+    const Chunk* chunk = nullptr;
+    float distance = 0;
+
+    std::size_t triangles() const { return chunk->triangles; }
+  };
+
+  PatchStore() = default;
+  PatchStore(const PatchStore&) = delete;
+  PatchStore& operator=(const PatchStore&) = delete;
+
+  /// Both return where the picture changes; `bytes` counts what went to the graphics card.
+  CellBounds upload(const PatchVertices& patch, std::int64_t& bytes);
+  CellBounds remove(Key origin, std::int64_t& bytes);
   void clear() { chunks_.clear(); }
   std::size_t triangleCount() const;
 
-  /// Draws the chunks that `clipFromCells` (cells from `anchor`) can see, nearest to the anchor
-  /// first, with the program in use, whose uniform `chunkOrigin` gets each chunk's place.
-  void draw(const gl::Program& program, Key anchor, const glm::mat4& clipFromCells) const;
+  /// The chunks that `clipFromCells` (cells from `anchor`) can see, nearest to the anchor first.
+  std::vector<Seen> seen(Key anchor, const glm::mat4& clipFromCells) const;
+
+  /// Draws with the program in use, whose uniform `chunkOrigin` gets each chunk's place.
+  static void draw(const gl::Program& program, std::span<const Seen> chunks);
+  void draw(const gl::Program& program, Key anchor, const glm::mat4& clipFromCells) const {
+    draw(program, seen(anchor, clipFromCells));
+  }
 
  private:
   // 28 bytes a vertex, as the shaders read it.
@@ -30,6 +53,7 @@ class PatchStore {
   };
   struct Slot {
     std::size_t vertex, vertexCount, index, indexCount;
+    CellBounds bounds;
   };
   // One buffer that grows by copying itself on the GPU.
   struct GrowingBuffer {
@@ -46,8 +70,8 @@ class PatchStore {
     std::map<Key, Slot> slots;
     std::size_t triangles = 0;
 
-    void put(Key origin, const std::vector<Vertex>& vertex, std::vector<std::uint32_t> index);
-    void remove(Key origin);
+    Slot& put(Key origin, const std::vector<Vertex>& vertex, std::vector<std::uint32_t> index);
+    CellBounds remove(Key origin, std::int64_t& bytes);
     void describeVertices();
   };
 

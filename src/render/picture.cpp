@@ -1,5 +1,8 @@
 #include "bozzetto/render/picture.hpp"
 
+#include <memory>
+#include <numbers>
+
 #include "bozzetto/render/occlusion.hpp"
 #include "bozzetto/render/offscreen.hpp"
 #include "bozzetto/render/renderer.hpp"
@@ -11,15 +14,6 @@ namespace {
 // Occlusion looks about half a model far: things beyond light each other as they darken.
 constexpr double kReachUnits = 1.2;
 
-std::vector<UnpackedPatch> unpackedAll(const Surface<8>& surface) {
-  std::vector<UnpackedPatch> patches;
-  patches.reserve(std::size_t(surface.totals().patches));
-  for (const auto& [block, run] : surface.patches()) {
-    patches.emplace_back(BlockGeometry<8>::firstCornerOf(block), *run.block);
-  }
-  return patches;
-}
-
 std::vector<PatchVertices> viewsOf(const std::vector<UnpackedPatch>& patches) {
   std::vector<PatchVertices> views;
   views.reserve(patches.size());
@@ -27,46 +21,92 @@ std::vector<PatchVertices> viewsOf(const std::vector<UnpackedPatch>& patches) {
   return views;
 }
 
-}  // namespace
+// The clay on the graphics card and where it is seen from: what all pictures of a run share.
+class Photographer {
+ public:
+  Photographer(const Surface<8>& surface, const Clay& clay, const PictureOptions& options,
+               Progress& progress);
+  Image frame(int number, Progress& progress);
 
-Image renderPicture(const Surface<8>& surface, const Clay& clay, const PictureOptions& options,
-                    Progress& progress) {
+ private:
+  const PictureOptions& options_;
+  std::unique_ptr<OffscreenContext> context_;
+  std::unique_ptr<Renderer> renderer_;
+  Shot shot_;
+};
+
+Shot framedShot(const std::vector<UnpackedPatch>& patches, const PictureOptions& options) {
   Shot shot;
   shot.width = options.width;
   shot.height = options.height;
-  requireSize(shot);
-
-  progress.step("light", 0);
-  const std::vector<UnpackedPatch> patches = unpackedAll(surface);
   std::vector<CellBounds> boxes;
   CellBounds bounds;
   for (const UnpackedPatch& patch : patches) {
     boxes.push_back(patch.bounds());
     bounds.add(boxes.back());
   }
-  const double aspect = double(shot.width) / shot.height;
+  Framing framing{options.viewpoint, options.projection, double(shot.width) / shot.height};
+  framing.yaw = options.yaw;
+  framing.pitch = options.pitch;
   shot.stage = Stage::around(bounds);
-  shot.camera = framed(boxes, {options.viewpoint, options.projection, aspect});
+  shot.camera = framed(boxes, framing);
+  shot.camera.distance /= options.zoom;
+  return shot;
+}
 
+CellBounds boundsOf(const std::vector<UnpackedPatch>& patches) {
+  CellBounds bounds;
+  for (const UnpackedPatch& patch : patches) bounds.add(patch.bounds());
+  return bounds;
+}
+
+Photographer::Photographer(const Surface<8>& surface, const Clay& clay,
+                           const PictureOptions& options, Progress& progress)
+    : options_(options) {
+  Shot size;
+  size.width = options.width;
+  size.height = options.height;
+  requireSize(size);
+  progress.step("light", 0);
+  const auto patches = structurePatches(surface, clay, options.structure);
+  shot_ = framedShot(patches, options);
   const OcclusionVolume volume(clay);
   std::vector<PatchVertices> views = viewsOf(patches);
   progress.step("light", 0.2);
-  const auto lights = lightOf(volume, views, kReachUnits * shot.stage.unit);
+  const auto lights = lightOf(volume, views, kReachUnits * shot_.stage.unit);
   progress.step("light", 1);
 
-  OffscreenContext context;
-  Renderer renderer;
+  context_ = std::make_unique<OffscreenContext>();
+  renderer_ = std::make_unique<Renderer>();
   for (std::size_t n = 0; n < views.size(); ++n) {
     views[n].light = lights[n];
-    renderer.uploadPatch(views[n]);
+    renderer_->uploadPatch(views[n]);
   }
-  renderer.setFloorOcclusion(floorOcclusion(volume, shot.stage, bounds));
-  for (int n = 0; n < options.slices; ++n) {
-    progress.step("picture", double(n) / options.slices);
-    renderer.addSlice(shot, options.look);
+  renderer_->setFloorOcclusion(floorOcclusion(volume, shot_.stage, boundsOf(patches)));
+}
+
+Image Photographer::frame(int number, Progress& progress) {
+  Shot shot = shot_;
+  shot.camera.yaw += 2 * std::numbers::pi * number / options_.frames;
+  Look look = options_.look;
+  look.cellLines |= options_.structure != Structure::surface;
+  return stereoStill(*renderer_, shot, look, options_.stereo, options_.slices, progress);
+}
+
+}  // namespace
+
+Image renderPicture(const Surface<8>& surface, const Clay& clay, const PictureOptions& options,
+                    Progress& progress) {
+  return Photographer(surface, clay, options, progress).frame(0, progress);
+}
+
+void renderTurn(const Surface<8>& surface, const Clay& clay, const PictureOptions& options,
+                FunctionRef<void(int frame, const Image&)> take, Progress& progress) {
+  Photographer photographer(surface, clay, options, progress);
+  for (int n = 0; n < options.frames; ++n) {
+    progress.step("turn", double(n) / options.frames);
+    take(n, photographer.frame(n, Progress::none()));
   }
-  progress.step("picture", 1);
-  return renderer.mean(shot);
 }
 
 }  // namespace bozzetto

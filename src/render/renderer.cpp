@@ -1,5 +1,6 @@
 #include "bozzetto/render/renderer.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <string>
 
@@ -9,7 +10,7 @@
 namespace bozzetto {
 namespace {
 
-constexpr int kSmallest = 16, kLargest = 8192;
+constexpr int kSmallest = 16, kLargest = 32768, kLargestPart = 8192;
 
 // GL's first row is the lowest.
 Image readPixels(const Target& target) {
@@ -30,81 +31,84 @@ void requireSize(const Shot& shot) {
   const auto within = [](int v) { return kSmallest <= v && v <= kLargest; };
   if (within(shot.width) && within(shot.height)) return;
   throw Error("picture size: " + std::to_string(shot.width) + "x" + std::to_string(shot.height) +
-              " found, 16 to 8192 pixels a side expected");
+              " found, 16 to 32768 pixels a side expected");
 }
+
+namespace {
+
+void requireDrawable(const Shot& shot) {
+  requireSize(shot);
+  const PixelRect part = shot.drawn();
+  if (std::max(part.width, part.height) <= kLargestPart) return;
+  throw Error("picture size: " + std::to_string(part.width) + "x" + std::to_string(part.height) +
+              " found, at most 8192 pixels a side expected at once");
+}
+
+}  // namespace
 
 Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
 Renderer::~Renderer() = default;
 
-void Renderer::uploadPatch(const PatchVertices& patch) { impl_->patches.upload(patch); }
-void Renderer::removePatch(Key origin) { impl_->patches.remove(origin); }
-void Renderer::clear() { impl_->patches.clear(); }
-std::size_t Renderer::triangleCount() const { return impl_->patches.triangleCount(); }
+void Renderer::uploadPatch(const PatchVertices& patch) {
+  Impl& r = *impl_;
+  r.changes.note(r.store(patch.fineness).upload(patch, r.uploads.bytes));
+  ++r.uploads.patches;
+}
+
+void Renderer::removePatch(Key origin, Fineness fineness) {
+  Impl& r = *impl_;
+  r.changes.note(r.store(fineness).remove(origin, r.uploads.bytes));
+}
+
+void Renderer::clear() {
+  for (PatchStore& store : impl_->stores) store.clear();
+  impl_->changes.noteAll();
+}
+
+std::size_t Renderer::triangleCount(Fineness fineness) const {
+  return impl_->store(fineness).triangleCount();
+}
+
+const UploadCounters& Renderer::uploads() const { return impl_->uploads; }
 
 void Renderer::setFloorOcclusion(const FloorOcclusion& floor) {
   impl_->floorMap = floorTexture(floor);
+  impl_->changes.noteAll();
 }
 
 void Renderer::draw(const Shot& shot, const Look& look) {
-  requireSize(shot);
-  impl_->drawFrame(shot, look, Slice{});
+  requireDrawable(shot);
+  impl_->drawFrame(shot, look);
   gl::check("drawing a frame");
 }
 
-void Renderer::restart() { impl_->slices = 0; }
-int Renderer::sliceCount() const { return impl_->slices; }
-
-void Renderer::Impl::prepareSum(const Shot& shot) {
-  if (!slice || slice->width != shot.width || slice->height != shot.height) {
-    slice.emplace(GL_RGBA8, shot.width, shot.height, Target::Depth::buffer);
-    sum.emplace(GL_RGBA16F, shot.width, shot.height, Target::Depth::none);
-    gl::check("making room for the picture");
-    slices = 0;
-  }
-  if (slices > 0) return;
-  sum->bind();
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT);
-}
+void Renderer::restart() { impl_->still.restart(); }
+int Renderer::sliceCount() const { return impl_->still.slices; }
 
 void Renderer::addSlice(const Shot& shot, const Look& look) {
-  requireSize(shot);
-  const gl::KeepTarget keep;
-  Impl& r = *impl_;
-  r.prepareSum(shot);
-  r.slice->bind();
-  r.drawFrame(shot, look, sliceAt(r.slices));
-  r.sum->bind();
-  gl::bindTexture(gl::source, r.slice->colour);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE);
-  r.programs.copy.use();
-  r.programs.copy.set("weight", 1 / Impl::kSumScale);
-  r.drawTriangle(r.programs.copy);
-  glDisable(GL_BLEND);
-  ++r.slices;
-  gl::check("drawing a slice");
+  requireDrawable(shot);
+  impl_->advance(impl_->still, shot, look);
 }
 
 void Renderer::showSlices(const Shot& shot) {
-  if (impl_->slices == 0) return;
-  glViewport(0, 0, shot.width, shot.height);
-  gl::bindTexture(gl::source, impl_->sum->colour);
-  glDisable(GL_BLEND);
-  glDisable(GL_DEPTH_TEST);
-  impl_->programs.copy.use();
-  impl_->programs.copy.set("weight", Impl::kSumScale / float(impl_->slices));
-  impl_->drawTriangle(impl_->programs.copy);
+  if (impl_->still.slices == 0) return;
+  glViewport(0, 0, shot.drawn().width, shot.drawn().height);
+  impl_->show(impl_->still);
 }
 
 Image Renderer::mean(const Shot& shot) {
-  assert(impl_->slices > 0);
+  assert(impl_->still.slices > 0);
   const gl::KeepTarget keep;
-  impl_->slice->bind();
+  impl_->still.slice->bind();
   showSlices(shot);
-  Image image = readPixels(*impl_->slice);
+  Image image = readPixels(*impl_->still.slice);
   gl::check("reading the picture");
   return image;
+}
+
+std::string Renderer::driverName() const {
+  const GLubyte* name = glGetString(GL_RENDERER);
+  return name == nullptr ? "unknown" : reinterpret_cast<const char*>(name);
 }
 
 }  // namespace bozzetto

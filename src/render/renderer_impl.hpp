@@ -1,12 +1,14 @@
-// The renderer's inside: programs, textures, and the passes of a frame.
+// The renderer's inside: programs, patches, textures, and the passes of a frame.
 #pragma once
-#include <map>
+#include <array>
 #include <optional>
 
 #include "bozzetto/render/renderer.hpp"
+#include "render/change_log.hpp"
 #include "render/frame.hpp"
 #include "render/patch_store.hpp"
 #include "render/stage_textures.hpp"
+#include "render/studio_cache.hpp"
 
 namespace bozzetto {
 
@@ -16,39 +18,68 @@ struct Programs {
   Programs();
 };
 
-struct Renderer::Impl {
-  Programs programs;
-  PatchStore patches;
-  gl::VertexArray nothing = gl::newVertexArray();  // for triangles made in the vertex shader
-  gl::Buffer frameBuffer = gl::newBuffer(), studioBuffer = gl::newBuffer();
-  std::array<glm::vec3, 9> harmonics;
-  gl::Texture reflections;
-  gl::Texture floorMap;
-  ShadowMap shadow;
-  std::map<Matcap, gl::Texture> painted;
-  std::map<Mode, gl::Texture> bakedBalls;
-
-  // The still in progress: one slice, and the sum of slices / kSumScale.
-  static constexpr float kSumScale = 16;
+/// A picture that grows better slice by slice: one slice, and the sum of slices / kScale.
+struct SliceSum {
+  static constexpr float kScale = 16;
   std::optional<Target> slice, sum;
   int slices = 0;
 
+  /// The slice in progress: what is left to draw of it.
+  struct Progress {
+    Frame frame;
+    std::vector<PatchStore::Seen> shadow, clay;
+    std::size_t shadowDone = 0, clayDone = 0;
+    bool backgroundDone = false;
+    std::uint64_t shadowTicket = 0;
+  };
+  std::optional<Progress> progress;
+
+  void restart() {
+    slices = 0;
+    progress.reset();
+  }
+};
+
+struct Renderer::Impl {
+  Programs programs;
+  std::array<PatchStore, 2> stores;  // by fineness
+  UploadCounters uploads;
+  ChangeLog changes;
+  gl::VertexArray nothing = gl::newVertexArray();  // for triangles made in the vertex shader
+  gl::Buffer frameBuffer = gl::newBuffer(), studioBuffer = gl::newBuffer();
+  gl::Texture floorMap;
+  ShadowMap shadow;
+  std::uint64_t shadowTicket = 0;  // grows whenever the shadow map is begun anew
+  StudioCache studios;
+  SliceSum still;
+
   Impl();
-  void drawFrame(const Shot& shot, const Look& look, const Slice& slice);
-  void prepareSum(const Shot& shot);
+  PatchStore& store(Fineness fineness) { return stores[std::size_t(fineness)]; }
+
+  /// A frame into the bound framebuffer's lower left corner; returns the triangles drawn.
+  std::size_t drawFrame(const Shot& shot, const Look& look, Fineness fineness = Fineness::fine);
+  /// The same where clip space shows `part` pixels of it: only there.
+  std::size_t redrawPart(const Shot& shot, const Look& look, const PixelRect& part);
+
+  /// Draws about `triangles` of the next slice, all of it for 0. True when a slice is complete.
+  bool advance(SliceSum& sum, const Shot& shot, const Look& look, std::size_t triangles = 0);
+  void show(const SliceSum& sum);
   void drawTriangle(const gl::Program& program);
 
  private:
-  void bindStudio(const Look& look);
-  void bindFrame(const Frame& frame);
-  void bindMatcap(const Look& look);
-  const gl::Texture& bakedBall(const Look& look);
-  void drawShadowMap(const Frame& frame);
-  void drawFloor(const Frame& frame);
-  void drawClay(const Frame& frame, const Look& look);
-  void drawGlass(const Frame& frame);
-  void drawWire(const Frame& frame);
+  void setUp(const Frame& frame, const Look& look);
+  void bindStudio(const Frame& frame, const Look& look);
+  void bindBall(const StudioBlock& block, const StudioCache::Map& map);
+  void beginShadowMap();
+  void drawShadows(const Frame& frame, std::span<const PatchStore::Seen> chunks);
+  void drawBackdrop(const Frame& frame);
+  void drawClay(const Frame& frame, const Look& look, std::span<const PatchStore::Seen> chunks);
+  void drawGlass(std::span<const PatchStore::Seen> chunks);
+  void drawEdges(std::span<const PatchStore::Seen> chunks);
   const gl::Program& programFor(const Look& look) const;
+  void begin(SliceSum& sum, const Shot& shot, const Look& look);
+  bool drawSome(SliceSum& sum, const Look& look, std::size_t triangles);
+  void addTo(SliceSum& sum);
 };
 
 }  // namespace bozzetto

@@ -12,6 +12,14 @@ void requireComplete() {
   }
 }
 
+// The standard studio's takes 0.2 s: once, not per renderer.
+SphereMap standardMap(const Surroundings& surroundings, MapQuality quality) {
+  static const Surroundings standard{Studio()};
+  if (surroundings != standard) return reflectionMap(surroundings, quality);
+  static const SphereMap map = reflectionMap(standard, MapQuality::good);
+  return map;
+}
+
 }  // namespace
 
 ShadowMap::ShadowMap()
@@ -29,8 +37,8 @@ ShadowMap::ShadowMap()
   requireComplete();
 }
 
-gl::Texture reflectionTexture() {
-  static const SphereMap map = reflectionMap();  // 0.2 s once, not per renderer
+gl::Texture reflectionTexture(const Surroundings& surroundings, MapQuality quality) {
+  const SphereMap map = standardMap(surroundings, quality);
   gl::Texture texture =
       gl::newTexture({GL_RGBA16F, SphereMap::kSide, SphereMap::kSide, gl::Filter::mipmaps});
   for (int n = 0; n < SphereMap::kLevels; ++n) {
@@ -42,8 +50,7 @@ gl::Texture reflectionTexture() {
   return texture;
 }
 
-gl::Texture matcapTexture(Matcap matcap) {
-  const Image image = paintedMatcap(matcap);
+gl::Texture matcapTexture(const Image& image) {
   gl::Texture texture = gl::newTexture({GL_RGBA8, image.width, image.height, gl::Filter::mipmaps});
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
                   image.pixels.data());

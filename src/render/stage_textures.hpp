@@ -3,6 +3,7 @@
 #include <array>
 
 #include "bozzetto/render/occlusion.hpp"
+#include "render/environment.hpp"
 #include "render/gl.hpp"
 #include "render/studio.hpp"
 
@@ -17,8 +18,9 @@ struct ShadowMap {
   ShadowMap();
 };
 
-gl::Texture reflectionTexture();
-gl::Texture matcapTexture(Matcap matcap);
+gl::Texture reflectionTexture(const Surroundings& surroundings, MapQuality quality);
+/// A ball that fills a square, rows from the bottom; drawn with its rim at .49 of the side.
+gl::Texture matcapTexture(const Image& ball);
 /// White (all open) for an empty map.
 gl::Texture floorTexture(const FloorOcclusion& floor);
 

@@ -1,5 +1,6 @@
 #include "bozzetto/render/unpack.hpp"
 
+#include <algorithm>
 #include <glm/common.hpp>
 
 namespace bozzetto {
@@ -10,12 +11,15 @@ UnpackedPatch::UnpackedPatch(Key firstCorner, const SurfacePatch& patch) : origi
   positions.reserve(count);
   normals.reserve(count);
   colours.reserve(count);
+  const bool held = std::any_of(content.vertices.begin(), content.vertices.end(),
+                                [](const PatchVertex& vertex) { return vertex.colour[3] != 0; });
   for (const PatchVertex& vertex : content.vertices) {
     const auto& p = vertex.position;
     const auto n = octahedralNormal(vertex.normal);
     positions.emplace_back(p[0], p[1], p[2]);
     normals.emplace_back(n[0], n[1], n[2]);
     colours.push_back({vertex.colour[0], vertex.colour[1], vertex.colour[2]});
+    if (held) hold.push_back(vertex.colour[3]);
   }
   indices.assign(content.indices.begin(), content.indices.end());
 }

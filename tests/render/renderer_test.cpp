@@ -96,7 +96,7 @@ TEST(Renderer, SlicesAddUpAndRestart) {
   renderer.restart();
   EXPECT_EQ(renderer.sliceCount(), 0);
   Shot wrong = loaded.shot();
-  wrong.width = 9000;
+  wrong.width = 40000;
   EXPECT_THROW(renderer.addSlice(wrong, {}), Error);
 }
 

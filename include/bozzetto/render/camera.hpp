@@ -2,6 +2,7 @@
 #pragma once
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -21,6 +22,7 @@ struct Stage {
   glm::dvec3 centre{0};  ///< cells
   double unit = 32;      ///< cells
   double floor = -32;    ///< height of the floor, cells
+  friend bool operator==(const Stage&, const Stage&) = default;
 
   /// The stage for clay in `bounds`; the default one when they are empty.
   static Stage around(const CellBounds& bounds);
@@ -32,6 +34,7 @@ struct Camera {
   glm::dvec3 target{0};            ///< cells
   double yaw = 0;                  ///< radians; 0 looks from +z, positive from the right
   double pitch = 0;                ///< radians; positive looks from above
+  double roll = 0;                 ///< radians; positive turns the camera to the left
   double distance = 200;           ///< from the target, cells
   double fieldOfView = 0.4537856;  ///< vertical, radians: 26°, a portrait lens
   Projection projection = Projection::perspective;
@@ -39,6 +42,9 @@ struct Camera {
   /// Columns: right, up, towards the viewer.
   glm::dmat3 worldFromView() const;
   glm::dvec3 eye() const;
+  /// Sets yaw, pitch and roll from such axes (a rotation).
+  void orient(const glm::dmat3& worldFromView);
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// Where a picture is taken from. `hero` is the three-quarter view from a little above.
@@ -52,6 +58,7 @@ struct Framing {
   Projection projection = Projection::perspective;
   double aspect = 4.0 / 3.0;  ///< width / height
   double fill = 0.86;         ///< part of the picture's width or height that the clay takes
+  std::optional<double> yaw = {}, pitch = {};  ///< instead of the viewpoint's, radians
 };
 
 /// A camera that shows all boxes as large as `fill` allows. O(boxes).

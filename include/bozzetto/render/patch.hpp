@@ -16,15 +16,20 @@ struct VertexLight {
   float cavity = 0;         ///< −1 sharp ridge … 0 flat … 1 deep crease
 };
 
+/// The clay as it is, or its half-resolution stand-in for moving frames.
+enum class Fineness : std::uint8_t { fine, coarse };
+
 /// Views into the caller's arrays. Positions count cells from `origin`; triangles are
-/// counter-clockwise seen from outside. `light` is empty or has one entry per vertex.
+/// counter-clockwise seen from outside. `light` is empty or has one entry per vertex, `hold` too.
 struct PatchVertices {
-  Key origin;  ///< names the patch; one patch per origin
+  Key origin;  ///< with `fineness` names the patch
   std::span<const glm::vec3> positions;
   std::span<const glm::vec3> normals;
   std::span<const Colour> colours;
   std::span<const std::uint16_t> indices;
   std::span<const VertexLight> light;
+  std::span<const std::uint8_t> hold = {};
+  Fineness fineness = Fineness::fine;
 };
 
 }  // namespace bozzetto

@@ -2,24 +2,20 @@
 // and knows nothing of where it came from: off-screen and window use the same object.
 #pragma once
 #include <memory>
+#include <string>
 
-#include "bozzetto/render/camera.hpp"
 #include "bozzetto/render/image.hpp"
 #include "bozzetto/render/look.hpp"
 #include "bozzetto/render/occlusion.hpp"
 #include "bozzetto/render/patch.hpp"
+#include "bozzetto/render/shot.hpp"
 
 namespace bozzetto {
 
-/// One view to draw.
-struct Shot {
-  Camera camera;
-  Stage stage;
-  int width = 1280, height = 960;  ///< pixels, 16…8192
+/// Since the renderer was made.
+struct UploadCounters {
+  std::int64_t patches = 0, bytes = 0;  ///< sent to the graphics card
 };
-
-/// Throws Error unless width and height are within their limits.
-void requireSize(const Shot& shot);
 
 class Renderer {
  public:
@@ -28,15 +24,18 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Takes a patch, replacing the one of the same origin; an empty patch removes it. Copies.
+  /// Takes a patch, replacing the one of the same origin and fineness; an empty patch removes it.
+  /// Copies.
   void uploadPatch(const PatchVertices& patch);
-  void removePatch(Key origin);
+  void removePatch(Key origin, Fineness fineness = Fineness::fine);
   void clear();
-  std::size_t triangleCount() const;
+  std::size_t triangleCount(Fineness fineness = Fineness::fine) const;
+  const UploadCounters& uploads() const;
 
   void setFloorOcclusion(const FloorOcclusion& floor);
 
-  /// One frame, as it moves, into the framebuffer bound for drawing, which has a depth buffer.
+  /// One frame, as it moves, into the framebuffer bound for drawing, which has a depth buffer: into
+  /// its lower left corner.
   void draw(const Shot& shot, const Look& look);
 
   /// Still pictures are the mean of slices: shots from within the pixel, lit from within the soft
@@ -50,7 +49,11 @@ class Renderer {
   /// The mean of the slices, read back. Needs one slice at least.
   Image mean(const Shot& shot);
 
+  /// What draws, as the driver calls itself.
+  std::string driverName() const;
+
  private:
+  friend class Viewport;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

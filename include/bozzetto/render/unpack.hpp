@@ -16,11 +16,17 @@ struct UnpackedPatch {
   std::vector<Colour> colours;
   std::vector<std::uint16_t> indices;
   std::vector<VertexLight> light;
+  std::vector<std::uint8_t> hold;  ///< empty where nothing is held
+  Fineness fineness = Fineness::fine;
 
+  /// A patch that is gone.
+  explicit UnpackedPatch(Key firstCorner) : origin(firstCorner) {}
   /// `firstCorner` is the block's first corner, in cells.
   UnpackedPatch(Key firstCorner, const SurfacePatch& patch);
 
-  PatchVertices view() const { return {origin, positions, normals, colours, indices, light}; }
+  PatchVertices view() const {
+    return {origin, positions, normals, colours, indices, light, hold, fineness};
+  }
   /// Of the vertices, in cells.
   CellBounds bounds() const;
 };

@@ -7,5 +7,6 @@ void main() {
   baked *= baked * 4.;
   vec3 c = clay.albedo * baked.rgb * clay.bounced;
   c = c * (1. - .42 * clay.crease + .16 * clay.ridge) + baked.a * clay.open;
+  c = painted(c, clay, clay.open);
   pixel = vec4(tone(c) + dither(), 1.);
 }

@@ -15,7 +15,7 @@ float specularOcclusion(Clay clay) {
 
 void main() {
   Clay clay = readClay();
-  Lit lit = studio(clay.normal, clay.view);
+  Lit lit = studio(clay.normal, clay.view, viewPosition);
   vec3 bent = normalize(mix(clay.normal, clay.bent, .6));
   vec3 rest = max(lit.rest + .8 * (ambient(bent) - ambient(clay.normal)), 0.);
 
@@ -27,5 +27,6 @@ void main() {
   c += lit.specular * shine * mix(.55, 1., shadow) + lit.coat * shine * mix(.6, 1., shadow);
   c *= 1. - .42 * clay.crease;
   c += clay.ridge * .20 * (clay.albedo * .8 + .05) * (lit.key * shadow + rest * .5);
+  c = painted(c, clay, shine);
   pixel = vec4(tone(c) + dither(), 1.);
 }

@@ -11,5 +11,6 @@ void main() {
   float alpha = gl_FrontFacing ? mix(.30, .96, edge) : mix(.10, .55, edge);
   alpha = clamp(alpha + dot(mirror, vec3(.1)) + dot(through, vec3(.05)), 0., .97);
   vec3 c = body + mirror * (.12 + .88 * edge) * (gl_FrontFacing ? 1. : .35);
+  c += roundHighlights(clay.normal, clay.view, viewPosition, .12) * .06;
   pixel = vec4(tone(c) + dither(), alpha);
 }

@@ -1,12 +1,16 @@
-// The studio: four lights, a painted environment as harmonics and as a sphere map, clay's answer.
-// All directions are in view space, so what comes out depends on the normal in the view only.
+// The studio: up to eight lights, an environment as harmonics and as a sphere map, clay's answer.
+// All directions are in view space, so what far lights do depends on the normal in the view only.
 layout(std140) uniform Studio {
   vec4 harmonics[9];
-  vec4 lightDirection[4];  // w: wrap
-  vec4 lightColour[4];
+  vec4 lightDirection[8];  // w: wrap
+  vec4 lightColour[8];     // w: strength of its round highlight
+  vec4 lightPlace[8];      // w: distance from the stage's centre, 0 far away
   vec4 material;           // roughness, Oren-Nayar sigma, specular level, clear coat
   vec4 toning;             // exposure, redness of the terminator, cavity, occlusion
   vec4 tint;
+  vec4 options;            // flat (0 or 1), paint layer, tint of held clay, lines between cells
+  vec4 counts;             // lights
+  vec4 middle;             // the stage's centre
 };
 uniform sampler2D environmentMap;
 
@@ -59,21 +63,55 @@ float dielectric(float nv) {
   return .04 * ab.x + ab.y;
 }
 
-Lit studio(vec3 n, vec3 v) {
+struct Beam {
+  vec3 towards;
+  vec3 colour;
+};
+
+// Near lights fade with the square of the distance; at the stage's centre all are as bright as far
+// ones.
+Beam beamOf(int i, vec3 at) {
+  vec3 towards = lightPlace[i].xyz - at;
+  float far = lightPlace[i].w, distance2 = max(dot(towards, towards), .04);
+  if (far == 0.) return Beam(lightDirection[i].xyz, lightColour[i].rgb);
+  return Beam(normalize(towards), lightColour[i].rgb * (far * far / distance2));
+}
+
+// Round highlights of lights that the environment does not show: GGX with Karis's cheap visibility,
+// without Fresnel.
+vec3 roundHighlights(vec3 n, vec3 v, vec3 at, float roughness) {
+  vec3 sum = vec3(0.);
+  float a = max(roughness * roughness, .01);
+  for (int i = 0; i < int(counts.x); ++i) {
+    if (lightColour[i].w == 0.) continue;
+    Beam beam = beamOf(i, at);
+    float nl = max(dot(n, beam.towards), 0.);
+    vec3 h = normalize(beam.towards + v);
+    float nh = max(dot(n, h), 0.), lh = max(dot(beam.towards, h), .1);
+    float k = (nh * a * a - nh) * nh + 1.;
+    sum += beam.colour * (nl * a * a / (k * k * 4. * lh * lh * (roughness + .5)));
+  }
+  return sum;
+}
+
+Lit studio(vec3 n, vec3 v, vec3 at) {
   Lit lit;
   float nv = clamp(dot(n, v), 1e-3, 1.);
   lit.key = vec3(0.);
   lit.rest = ambient(n);
-  for (int i = 0; i < 4; ++i) {
-    vec3 l = lightDirection[i].xyz;
-    float nl = dot(n, l);
-    vec3 d = lightColour[i].rgb * wrapped(nl, lightDirection[i].w)
-        * roughDiffuse(nl, nv, dot(l, v));
+  for (int i = 0; i < int(counts.x); ++i) {
+    Beam beam = beamOf(i, at);
+    float nl = dot(n, beam.towards);
+    vec3 d = beam.colour * wrapped(nl, lightDirection[i].w)
+        * roughDiffuse(nl, nv, dot(beam.towards, v));
     if (i == kKey) lit.key = d;
     else lit.rest += d;
   }
   vec3 r = reflect(-v, n);
   lit.specular = environment(r, material.x * 5.) * dielectric(nv) * material.z;
-  lit.coat = environment(r, .6) * (.04 + .96 * pow(1. - nv, 5.)) * material.w;
+  lit.specular += roundHighlights(n, v, at, material.x) * (.04 * material.z);
+  float coat = (.04 + .96 * pow(1. - nv, 5.)) * material.w;
+  lit.coat = environment(r, .6) * coat;
+  if (coat > 0.) lit.coat += roundHighlights(n, v, at, .12) * coat;
   return lit;
 }
