@@ -38,9 +38,9 @@ TEST(Frame, SlicesFillThePixelEvenly) {
 
 TEST(Frame, FloorIsSeenFromAboveOnly) {
   Shot shot = shotAt({0, 0, 0});
-  EXPECT_TRUE(makeFrame(shot, {}, {}).eyeAboveFloor);
+  EXPECT_TRUE(makeFrame(shot, {}, {}).floorInSight);
   shot.camera.pitch = -1;
-  EXPECT_FALSE(makeFrame(shot, {}, {}).eyeAboveFloor);
+  EXPECT_FALSE(makeFrame(shot, {}, {}).floorInSight);
 }
 
 }  // namespace

@@ -45,8 +45,9 @@ struct Studio {
   float turn = 0;         ///< radians; turns what is fixed to the view about the vertical
   float exposure = .66f;  ///< brightness of all, before the tone curve
 
-  /// The lights made for an environment.
-  explicit Studio(Environment environment = Environment::studio);
+  /// The lights made for the photo studio, or for another environment.
+  Studio() : Studio(Environment::studio) {}
+  explicit Studio(Environment environment);
   friend bool operator==(const Studio&, const Studio&) = default;
 };
 
