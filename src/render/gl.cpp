@@ -96,8 +96,8 @@ void bindTexture(int unit, const Texture& texture) {
   glBindTexture(GL_TEXTURE_2D, texture.get());
 }
 
-Program::Program(std::vector<std::string_view> vertexParts,
-                 std::vector<std::string_view> fragmentParts)
+Program::Program(const std::vector<std::string_view>& vertexParts,
+                 const std::vector<std::string_view>& fragmentParts)
     : program_(glCreateProgram()) {
   const Shader vertex = compiled(GL_VERTEX_SHADER, vertexParts);
   const Shader fragment = compiled(GL_FRAGMENT_SHADER, fragmentParts);

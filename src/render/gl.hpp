@@ -87,7 +87,8 @@ class KeepTarget {
 /// A shader program from .glsl files: the names of the parts, in order, without extension.
 class Program {
  public:
-  Program(std::vector<std::string_view> vertexParts, std::vector<std::string_view> fragmentParts);
+  Program(const std::vector<std::string_view>& vertexParts,
+          const std::vector<std::string_view>& fragmentParts);
   void use() const { glUseProgram(program_.get()); }
   /// Location, -1 where the compiler left the uniform out.
   GLint at(std::string_view uniform) const;

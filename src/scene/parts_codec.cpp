@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kMostName = 255, kMostTags = 255, kMostSettings = 4096, kMostLights = 64;
 constexpr std::size_t kMostThumbnail = std::size_t{16} << 20, kMostText = std::size_t{1} << 20;
 
-using View_ = std::span<const std::byte>;
+using ByteView = std::span<const std::byte>;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
   throw Error(name + ": " + what);
@@ -24,7 +24,7 @@ void putText(ByteWriter& out, const std::string& text) {
   putBytes(out, std::as_bytes(std::span(text.data(), text.size())));
 }
 
-View_ getBytes(ByteReader& in, std::size_t most, const std::string& name) {
+ByteView getBytes(ByteReader& in, std::size_t most, const std::string& name) {
   const auto size = in.get<std::uint32_t>();
   if (size > most) {
     refuse(name, std::to_string(size) + " bytes, at most " + std::to_string(most) + " expected");
@@ -33,7 +33,7 @@ View_ getBytes(ByteReader& in, std::size_t most, const std::string& name) {
 }
 
 std::string getText(ByteReader& in, std::size_t most, const std::string& name) {
-  const View_ bytes = getBytes(in, most, name);
+  const ByteView bytes = getBytes(in, most, name);
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -204,7 +204,7 @@ ShelfItem decodeItem(std::span<const std::byte> bytes, const std::string& name) 
   item.name = getText(in, kMostName, name);
   const std::uint32_t count = getCount(in, kMostTags, name);
   for (std::uint32_t n = 0; n < count; ++n) item.tags.push_back(getText(in, kMostName, name));
-  const View_ payload = getBytes(in, in.remaining(), name);
+  const ByteView payload = getBytes(in, in.remaining(), name);
   item.payload.assign(payload.begin(), payload.end());
   item.thumbnail = checkedThumbnail(getBytes(in, kMostThumbnail, name), name);
   requireEnd(in, name);

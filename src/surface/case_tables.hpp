@@ -71,7 +71,7 @@ constexpr bool edgesShareFace(int a, int b) {
 
 /// For each crossing edge of a mask the edge that follows it on its loop, -1 for the others.
 /// Loops run counter-clockwise seen from outside the clay.
-using LoopSuccessors = std::array<std::int8_t, 12>;
+using LoopSuccessors = std::array<int, 12>;
 LoopSuccessors loopSuccessors(int mask);
 
 struct CubeCase {

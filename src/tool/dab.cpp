@@ -44,9 +44,9 @@ struct DabWalker<Side>::Walk {
   LocalFrame frame;
   KeyBox blocks;
 
-  Walk(const Dab& dab_, const KeyBox& box)
-      : dab(dab_),
-        frame(localFrame(dab_.pose)),
+  Walk(const Dab& walked, const KeyBox& box)
+      : dab(walked),
+        frame(localFrame(walked.pose)),
         blocks{Geometry::blockOf(box.low), Geometry::blockOf(box.high)} {}
 
   // The first corner of a block, counted from the dab's own cell.

@@ -22,7 +22,7 @@ struct BallDistance {
 // or a hyperellipsoid"). Newton on 1/√S, which is straight for a ball and nearly so for the rest.
 struct EllipsoidDistance {
   static constexpr int kSteps = 6;
-  explicit EllipsoidDistance(const glm::dvec3& radii_) : radii(radii_) {}
+  explicit EllipsoidDistance(const glm::dvec3& lengths) : radii(lengths) {}
 
   template <class Real>
   BOZZETTO_KERNEL Real operator()(Real x, Real y, Real z) const {
@@ -59,7 +59,7 @@ struct EllipsoidDistance {
 };
 
 struct BoxDistance {
-  explicit BoxDistance(const glm::dvec3& radii_) : radii(radii_) {}
+  explicit BoxDistance(const glm::dvec3& halves) : radii(halves) {}
   template <class Real>
   BOZZETTO_KERNEL Real operator()(Real x, Real y, Real z) const {
     const Real qx = x - static_cast<Real>(radii.x), qy = y - static_cast<Real>(radii.y),
