@@ -9,6 +9,7 @@
 #include "bozzetto/history/undo_stack.hpp"
 #include "bozzetto/surface/surface.hpp"
 #include "bozzetto/tool/fill.hpp"
+#include "rows.hpp"
 #include "scenes.hpp"
 #include "strokes.hpp"
 
@@ -201,30 +202,18 @@ void solid(benchmark::State& state, double radius) {
   }
 }
 
-std::string nameOf(const std::string& what, double radius, int side, int threads) {
-  return what + "/radius:" + std::to_string(static_cast<int>(radius)) +
-         "/side:" + std::to_string(side) + "/threads:" + std::to_string(threads);
-}
-
-template <class Body, class... Arguments>
-void add(const std::string& name, Body body, Arguments... arguments) {
-  benchmark::RegisterBenchmark(name.c_str(), body, arguments...)
-      ->UseManualTime()
-      ->Unit(benchmark::kMillisecond);
-}
-
 template <int Side>
 void addDabs(double radius, int threads) {
-  add(nameOf("whole_dab", radius, Side, threads), wholeDab<Side>, Ground::ball, ActionKind::add,
-      radius, threads);
-  add(nameOf("whole_remove", radius, Side, threads), wholeDab<Side>, Ground::ball,
-      ActionKind::remove, radius, threads);
-  add(nameOf("whole_smooth", radius, Side, threads), wholeDab<Side>, Ground::ball,
-      ActionKind::smooth, radius, threads);
-  add(nameOf("dab_lonely", radius, Side, threads), wholeDab<Side>, Ground::empty, ActionKind::add,
-      radius, threads);
-  add(nameOf("dab_crowded", radius, Side, threads), wholeDab<Side>, Ground::crowded,
-      ActionKind::add, radius, threads);
+  rows::add(rows::nameOf("whole_dab", radius, Side, threads), wholeDab<Side>, Ground::ball,
+            ActionKind::add, radius, threads);
+  rows::add(rows::nameOf("whole_remove", radius, Side, threads), wholeDab<Side>, Ground::ball,
+            ActionKind::remove, radius, threads);
+  rows::add(rows::nameOf("whole_smooth", radius, Side, threads), wholeDab<Side>, Ground::ball,
+            ActionKind::smooth, radius, threads);
+  rows::add(rows::nameOf("dab_lonely", radius, Side, threads), wholeDab<Side>, Ground::empty,
+            ActionKind::add, radius, threads);
+  rows::add(rows::nameOf("dab_crowded", radius, Side, threads), wholeDab<Side>, Ground::crowded,
+            ActionKind::add, radius, threads);
 }
 
 // Gigabytes that are free; the largest solid needs them.
@@ -241,22 +230,18 @@ void addAll() {
   for (const int threads : {1, 2}) {
     for (const double radius : workload::kRadii) {
       addDabs<8>(radius, threads);
-      add(nameOf("undo_stroke", radius, 8, threads), undoStroke, radius, threads);
+      rows::add(rows::nameOf("undo_stroke", radius, 8, threads), undoStroke, radius, threads);
     }
   }
-  addDabs<1>(8, 1);
-  addDabs<1>(16, 1);
-  add("memory_ball", memoryBall);
-  add("solid/radius:500", solid, 500.0);
-  if (freeGigabytes() > 14) add("solid/radius:2000", solid, 2000.0);
+  for (const double radius : {8.0, 16.0, 32.0}) addDabs<1>(radius, 1);  // at 64: minutes a stroke
+  rows::add("memory_ball", memoryBall);
+  rows::add("solid/radius:500", solid, 500.0);
+  if (freeGigabytes() > 14) rows::add("solid/radius:2000", solid, 2000.0);
 }
 
 }  // namespace
 }  // namespace bozzetto
 
 int main(int count, char** arguments) {
-  bozzetto::addAll();
-  benchmark::Initialize(&count, arguments);
-  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
+  return bozzetto::rows::run(bozzetto::addAll, count, arguments);
 }

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "bozzetto/sculptor/replay.hpp"
+#include "rows.hpp"
 #include "scenes.hpp"
 #include "strokes.hpp"
 
@@ -70,13 +71,6 @@ void replayFile(benchmark::State& state, const fs::path& path, SurfaceUpkeep upk
   setThreadCount(0);
 }
 
-template <class Body, class... Arguments>
-void add(const std::string& name, Body body, Arguments... arguments) {
-  benchmark::RegisterBenchmark(name.c_str(), body, arguments...)
-      ->UseManualTime()
-      ->Unit(benchmark::kMillisecond);
-}
-
 std::vector<fs::path> sampleRecordings() {
   std::vector<fs::path> found;
   const fs::path folder = fs::path(BOZZETTO_SOURCE_DIR) / "data/recordings";
@@ -93,12 +87,12 @@ void addAll() {
     const std::string ending = "/threads:" + std::to_string(threads);
     for (const double radius : workload::kRadii) {
       const std::string size = "/radius:" + std::to_string(static_cast<int>(radius)) + "/side:8";
-      add("sculptor_dab" + size + ending, stroke, radius, threads);
+      rows::add("sculptor_dab" + size + ending, stroke, radius, threads);
     }
     for (const fs::path& path : sampleRecordings()) {
       const std::string name = path.stem().string() + ending;
-      add("replay/" + name, replayFile, path, SurfaceUpkeep::none, threads);
-      add("replay_shown/" + name, replayFile, path, SurfaceUpkeep::afterEachDab, threads);
+      rows::add("replay/" + name, replayFile, path, SurfaceUpkeep::none, threads);
+      rows::add("replay_shown/" + name, replayFile, path, SurfaceUpkeep::afterEachDab, threads);
     }
   }
 }
@@ -107,8 +101,5 @@ void addAll() {
 }  // namespace bozzetto
 
 int main(int count, char** arguments) {
-  bozzetto::addAll();
-  benchmark::Initialize(&count, arguments);
-  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
+  return bozzetto::rows::run(bozzetto::addAll, count, arguments);
 }

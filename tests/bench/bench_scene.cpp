@@ -7,6 +7,7 @@
 
 #include "bozzetto/scene/scene_file.hpp"
 #include "bozzetto/tool/stroke.hpp"
+#include "rows.hpp"
 #include "scenes.hpp"
 #include "strokes.hpp"
 
@@ -98,19 +99,12 @@ void saveStroke(benchmark::State& state, double radius, int threads) {
   setThreadCount(0);
 }
 
-template <class Body, class... Arguments>
-void add(const std::string& name, Body body, Arguments... arguments) {
-  benchmark::RegisterBenchmark(name.c_str(), body, arguments...)
-      ->UseManualTime()
-      ->Unit(benchmark::kMillisecond);
-}
-
 void addAll() {
   for (const int threads : {1, 2}) {
     const std::string ending = "/threads:" + std::to_string(threads);
-    add("save_ball" + ending, saveBall, threads);
-    add("load_ball" + ending, loadBall, threads);
-    add("save_stroke/radius:32" + ending, saveStroke, 32.0, threads);
+    rows::add("save_ball" + ending, saveBall, threads);
+    rows::add("load_ball" + ending, loadBall, threads);
+    rows::add("save_stroke/radius:32" + ending, saveStroke, 32.0, threads);
   }
 }
 
@@ -118,8 +112,5 @@ void addAll() {
 }  // namespace bozzetto
 
 int main(int count, char** arguments) {
-  bozzetto::addAll();
-  benchmark::Initialize(&count, arguments);
-  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
+  return bozzetto::rows::run(bozzetto::addAll, count, arguments);
 }

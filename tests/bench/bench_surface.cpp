@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bozzetto/surface/surface.hpp"
+#include "rows.hpp"
 #include "scenes.hpp"
 #include "strokes.hpp"
 
@@ -149,24 +150,16 @@ Clay& gyroidClay() {
   return clay;
 }
 
-template <class Body, class... Arguments>
-void add(const std::string& name, int threads, Body body, Arguments... arguments) {
-  const std::string full = name + "/side:8/threads:" + std::to_string(threads);
-  benchmark::RegisterBenchmark(full.c_str(), body, arguments..., threads)
-      ->UseManualTime()
-      ->Unit(benchmark::kMillisecond);
-}
-
 void addAll() {
   for (const int threads : {1, 2}) {
+    const std::string ending = "/side:8/threads:" + std::to_string(threads);
     for (const double radius : workload::kRadii) {
-      const std::string size = "/radius:" + std::to_string(static_cast<int>(radius));
-      add("refresh" + size, threads, refresh, radius);
+      rows::add(rows::nameOf("refresh", radius, 8, threads), refresh, radius, threads);
     }
-    add("extract_ball", threads, extract, ball, Memory::warm);
-    add("extract_ball_cold", threads, extract, ball, Memory::cold);
-    add("extract_gyroid", threads, extract, gyroidClay, Memory::warm);
-    add("extract_gyroid_cold", threads, extract, gyroidClay, Memory::cold);
+    rows::add("extract_ball" + ending, extract, ball, Memory::warm, threads);
+    rows::add("extract_ball_cold" + ending, extract, ball, Memory::cold, threads);
+    rows::add("extract_gyroid" + ending, extract, gyroidClay, Memory::warm, threads);
+    rows::add("extract_gyroid_cold" + ending, extract, gyroidClay, Memory::cold, threads);
   }
 }
 
@@ -174,8 +167,5 @@ void addAll() {
 }  // namespace bozzetto
 
 int main(int count, char** arguments) {
-  bozzetto::addAll();
-  benchmark::Initialize(&count, arguments);
-  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
+  return bozzetto::rows::run(bozzetto::addAll, count, arguments);
 }

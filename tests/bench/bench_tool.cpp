@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bozzetto/tool/stroke.hpp"
+#include "rows.hpp"
 #include "scenes.hpp"
 
 namespace bozzetto {
@@ -75,14 +76,9 @@ void dab(benchmark::State& state, const Job& job) {
 }
 
 template <int Side>
-void add(const std::string& name, const Job& job) {
-  const std::string full = name + "/radius:" + std::to_string(static_cast<int>(job.radius)) +
-                           "/side:" + std::to_string(Side) +
-                           "/threads:" + std::to_string(job.threads);
-  benchmark::RegisterBenchmark(full.c_str(), dab<Side>, job)
-      ->UseManualTime()
-      ->Iterations(job.radius < 64 ? 20 : 4)  // strokes of 50 dabs
-      ->Unit(benchmark::kMillisecond);
+void add(const std::string& what, const Job& job) {
+  rows::add(rows::nameOf(what, job.radius, Side, job.threads), dab<Side>, job)
+      ->Iterations(job.radius < 64 ? 20 : 4);  // strokes of 50 dabs
 }
 
 template <int Side>
@@ -105,8 +101,5 @@ void addAll() {
 }  // namespace bozzetto
 
 int main(int count, char** arguments) {
-  bozzetto::addAll();
-  benchmark::Initialize(&count, arguments);
-  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
+  return bozzetto::rows::run(bozzetto::addAll, count, arguments);
 }
