@@ -126,7 +126,8 @@ std::optional<SaveReport> SceneFile::saveChanges(const Document& document, Progr
   keepPrevious(path_, progress);
   Database database = Database::forWriting(path_, path_.string(), *files_);
   if (mostlyFree(database)) return std::nullopt;
-  database.run("PRAGMA journal_mode=DELETE; PRAGMA synchronous=FULL");
+  // EXTRA: the journal's removal, which is the commit, is synced too.
+  database.run("PRAGMA journal_mode=DELETE; PRAGMA synchronous=EXTRA");
   const bool sameHead = saved_.field.scale == document.field.scale;
   const TileChanges changes{changedTiles(saved_.field.tree, document.field.tree),
                             !sameHead || !(saved_.parts == document.parts)};

@@ -231,7 +231,8 @@ Bytes CrashFileSystem::content(const fs::path& path) const {
 void CrashFileSystem::setContent(const fs::path& path, Bytes bytes) {
   const std::lock_guard lock(mutex_);
   assert(log_.empty() && "only before the first operation");
-  const NodeId node = nextNode_++;
+  const auto there = now_.names.find(nameOf(path));
+  const NodeId node = there == now_.names.end() ? nextNode_++ : there->second;
   for (Disk* disk : {&start_, &now_}) {
     disk->apply({Operation::Kind::create, nameOf(path), "", node, 0, {}, false});
     disk->nodes[node].bytes = bytes;
