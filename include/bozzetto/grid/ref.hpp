@@ -14,7 +14,8 @@ class RefCounted {
   RefCounted(const RefCounted&) {}  // a copy starts without holders
   RefCounted& operator=(const RefCounted&) { return *this; }
 
-  std::uint32_t holders() const { return holders_.load(std::memory_order_relaxed); }
+  /// Acquires: whoever finds itself the only holder may write what others have read.
+  std::uint32_t holders() const { return holders_.load(std::memory_order_acquire); }
   std::uint64_t editor = 0;
 
  private:
