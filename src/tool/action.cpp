@@ -46,6 +46,9 @@ void requireValid(const ActionOptions& options) {
 
 std::unique_ptr<Action> makeAction(const ActionOptions& options) {
   requireValid(options);
+  const bool gives = options.kind == ActionKind::add || options.kind == ActionKind::paint ||
+                     options.kind == ActionKind::paintSoft;
+  if (options.ownColours && gives) return makeOwnColours(options.kind);
   switch (options.kind) {
     case ActionKind::add:
       return makeAdd(options.colour);

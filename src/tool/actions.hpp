@@ -10,5 +10,7 @@ std::unique_ptr<Action> makeErase();
 std::unique_ptr<Action> makePaint(Colour colour);
 std::unique_ptr<Action> makePaintSoft(Colour colour);
 std::unique_ptr<Action> makeSmooth();
+/// Add, paint or paintSoft.
+std::unique_ptr<Action> makeOwnColours(ActionKind kind);
 
 }  // namespace bozzetto

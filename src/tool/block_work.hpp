@@ -28,6 +28,7 @@ BlockView viewOf(const Edit<CornerBlock<Side>>& edit, BlockWork<Side>& work, Wri
           out->value.data(),
           out->attributes.data(),
           nullptr,
+          nullptr,
           nullptr};
 }
 

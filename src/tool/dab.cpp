@@ -46,7 +46,7 @@ struct DabWalker<Side>::Walk {
 
   Walk(const Dab& walked, const KeyBox& box)
       : dab(walked),
-        frame(localFrame(walked.pose)),
+        frame(walked.potential->frame(walked.pose)),
         blocks{Geometry::blockOf(box.low), Geometry::blockOf(box.high)} {}
 
   // The first corner of a block, counted from the dab's own cell.
@@ -73,10 +73,12 @@ struct DabWalker<Side>::Walk {
 
 template <int Side>
 void DabWalker<Side>::apply(const Dab& dab, DabReport& report) {
-  const KeyBox box = dabBox(dab.pose);
+  const DabPose influence = influenceOf(*dab.potential, dab.pose);
+  const KeyBox box = dabBox(influence);
   const Walk walk(dab, box);
+  const LocalFrame frame = localFrame(influence);
   report.visited += box.count();
-  report.computed += countLocal(walk.frame, box.low - walk.frame.cell, box.high - walk.frame.cell);
+  report.computed += countLocal(frame, box.low - frame.cell, box.high - frame.cell);
   // Low-passing reads the old neighbours: there, nothing is written before everything is made.
   const bool lowpass = dab.action->wantsLowpass();
   if (lowpass) gatherNeighbourhood(walk);
@@ -160,6 +162,11 @@ void DabWalker<Side>::compute(const Walk& walk, BlockWork<Side>& work) const {
   BlockView view = viewOf(*edit_, work, in);
   view.potential = potential;
   view.lowpass = &buffer.result;
+  alignas(64) Attributes colours[Block::kCount];
+  if (action.wantsColours()) {
+    walk.dab.potential->evaluateColours(walk.frame, walk.offsetOf(work.key), Side, colours);
+    view.toolColours = colours;
+  }
   work.outcome = action.apply(view, walk.dab.strength);
 }
 

@@ -1,6 +1,7 @@
 #include "bozzetto/tool/potential.hpp"
 
 #include "tool/block_rows.hpp"
+#include "tool/freeform.hpp"
 #include "tool/gauge.hpp"
 
 namespace bozzetto {
@@ -61,6 +62,8 @@ std::unique_ptr<Potential> makePotential(const ToolShape& shape) {
       return make<CylinderGauge>(shape);
     case Shape::capsule:
       return make<CapsuleGauge>(shape);
+    case Shape::freeform:
+      return makeFreeform(shape.sculpture, shape.radii);
   }
   return nullptr;
 }

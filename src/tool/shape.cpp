@@ -5,11 +5,14 @@
 #include <cstdio>
 
 #include "bozzetto/base/error.hpp"
+#include "bozzetto/tool/sculpture.hpp"
+#include "tool/freeform.hpp"
 
 namespace bozzetto {
 namespace {
 
-constexpr std::array<std::string_view, 4> kShapes{"ellipsoid", "box", "cylinder", "capsule"};
+constexpr std::array<std::string_view, 5> kShapes{"ellipsoid", "box", "cylinder", "capsule",
+                                                  "freeform"};
 constexpr std::array<std::string_view, 2> kProfiles{"wyvill", "box"};
 
 template <class Value, std::size_t Count>
@@ -44,7 +47,32 @@ glm::dquat normalisedRotation(const glm::dquat& rotation) {
   return rotation / length;
 }
 
-FittedTool fitTool(const ToolShape& shape, double spacing) {
+glm::dvec3 freeformRadii(const Sculpture& sculpture, const glm::dvec3& scale) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (scale[axis] > 0 && std::isfinite(scale[axis])) continue;
+    throw Error("tool scale: " + numberText(scale[axis]) + " found, a number above 0 expected");
+  }
+  return sculpture.halfExtents() * (scale * sculpture.scale().spacing);
+}
+
+namespace {
+
+ToolShape withOwnRadii(ToolShape shape, double spacing) {
+  if (shape.shape != Shape::freeform) return shape;
+  if (shape.sculpture == nullptr) throw Error("freeform tool: no sculpture found, one expected");
+  shape.radii = freeformRadii(*shape.sculpture, shape.scale);
+  const double smaller = minification(*shape.sculpture, shape.radii / spacing);
+  if (!(smaller <= kMostMinified)) {
+    throw Error("freeform tool: " + numberText(smaller) +
+                " of its cells to one of the clay found, at most 256 expected");
+  }
+  return shape;
+}
+
+}  // namespace
+
+FittedTool fitTool(const ToolShape& asked, double spacing) {
+  const ToolShape shape = withOwnRadii(asked, spacing);
   FittedTool fitted{shape, {}};
   fitted.shape.rotation = normalisedRotation(shape.rotation);
   double smallest = shape.radii[0] / spacing, corners = 1;
@@ -56,13 +84,14 @@ FittedTool fitTool(const ToolShape& shape, double spacing) {
     }
     smallest = std::fmin(smallest, cells);
     corners *= 2 * cells;
+    if (shape.shape == Shape::freeform) continue;
     fitted.shape.radii[axis] = std::fmax(shape.radii[axis], kSmallestToolCells * spacing);
   }
   if (corners > kMostToolCorners) {
     throw Error("tool: covers " + numberText(corners) +
                 " corners, at most 2^29 expected: fill, or a coarser grid, serves such sizes");
   }
-  if (smallest < kSmallestToolCells) {
+  if (smallest < kSmallestToolCells && shape.shape != Shape::freeform) {
     fitted.notice = "tool radius of " + numberText(smallest) +
                     " cells widened to 2: the grid does not sample narrower tools";
   }

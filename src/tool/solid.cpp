@@ -1,5 +1,6 @@
 #include "tool/solid.hpp"
 
+#include "bozzetto/base/error.hpp"
 #include "tool/block_rows.hpp"
 #include "tool/distance.hpp"
 
@@ -74,6 +75,7 @@ std::unique_ptr<Solid> makeRound(Shape shape, const DabPose& pose) {
 }  // namespace
 
 std::unique_ptr<Solid> makeSolid(Shape shape, const DabPose& given) {
+  if (shape == Shape::freeform) throw Error("fill: freeform found, a primitive expected (combine)");
   if (shape == Shape::box) return std::make_unique<SolidOf<BoxDistance>>(given);
   // A capsule without a straight part is an ellipsoid.
   const bool flat =

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "tool/freeform.hpp"
 #include "tool/relative.hpp"
 
 namespace bozzetto {
@@ -19,6 +20,11 @@ void requireValid(const Stroke& stroke) {
 }
 
 double smallest(const glm::dvec3& radii) { return std::min({radii.x, radii.y, radii.z}); }
+
+// What a sculpture may be scaled by and still be sampled.
+double smallestFactor(const ToolShape& tool) {
+  return std::min(1.0, minification(*tool.sculpture, tool.radii) / kMostMinified);
+}
 
 // In key order, each key once.
 void tidy(std::vector<KeyRun>& runs) {
@@ -45,7 +51,9 @@ StrokeRunner<Side>::StrokeRunner(Edit<CornerBlock<Side>>& edit, const FieldScale
   tool_.radii /= scale.spacing;
   notice_ = fitted.notice;
   potential_ = makePotential(tool_);
-  action_ = makeAction(action);
+  ActionOptions options = action;
+  options.ownColours = options.ownColours && potential_->coloured();
+  action_ = makeAction(options);
 
   origin_ = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
   images_ = imagesOf(stroke.symmetry);
@@ -98,19 +106,27 @@ template <int Side>
 void StrokeRunner<Side>::requireRoom(const std::vector<StrokePath::Sample>& points) const {
   for (const StrokePath::Sample& point : points)
     for (const DabPose& pose : imagesOf(poseAt({point.position, 1}), tool_.shape, images_, centre_))
-      dabBox(pose);
+      dabBox(influenceOf(*potential_, pose));
 }
 
 template <int Side>
 ToolShape StrokeRunner<Side>::sized(double pressure) const {
   ToolShape shape = tool_;
-  if (pressure_.size) shape.radii = glm::max(tool_.radii * pressure, kSmallestToolCells);
+  if (!pressure_.size) return shape;
+  if (shape.shape == Shape::freeform) {
+    shape.radii *= std::max(pressure, smallestFactor(tool_));
+  } else {
+    shape.radii = glm::max(tool_.radii * pressure, kSmallestToolCells);
+  }
   return shape;
 }
 
 template <int Side>
 DabPose StrokeRunner<Side>::poseAt(const StrokePath::Sample& sample) const {
-  return {origin_, sample.position, glm::mat3_cast(tool_.rotation), sized(sample.pressure).radii};
+  DabPose pose{origin_, sample.position, glm::mat3_cast(tool_.rotation),
+               sized(sample.pressure).radii};
+  if (tool_.shape == Shape::freeform) putOnPivot(*tool_.sculpture, pose);
+  return pose;
 }
 
 template <int Side>

@@ -44,9 +44,10 @@ glm::dmat3 square(const DabPose& pose, int axis) {
 }
 
 // Same position, same clay touched. An ellipsoid is its quadratic form; shapes about y are that
-// and their y; a box is its set of axes.
+// and their y; a box is its set of axes; a sculpture may be like nothing but itself.
 bool sameDab(const DabPose& a, const DabPose& b, Shape shape) {
   if (!same(a.position, b.position)) return false;
+  if (shape == Shape::freeform) return same(a.orientation, b.orientation);
   const glm::dmat3 formA = square(a, 0) + square(a, 1) + square(a, 2);
   const glm::dmat3 formB = square(b, 0) + square(b, 1) + square(b, 2);
   if (!same(formA, formB)) return false;

@@ -24,8 +24,9 @@ std::optional<ActionKind> actionNamed(std::string_view name);
 
 struct ActionOptions {
   ActionKind kind = ActionKind::add;
-  double strength = 0.5;  ///< 0…1 per dab
-  Colour colour;          ///< what add and the paints give
+  double strength = 0.5;    ///< 0…1 per dab
+  Colour colour;            ///< what add and the paints give
+  bool ownColours = false;  ///< or those of the tool, where it has some (freeform)
 };
 
 /// Throws Error unless the strength is in 0…1.
@@ -41,6 +42,7 @@ struct BlockView {
   Attributes* newAttributes;
   const float* potential;
   const struct Lowpass* lowpass = nullptr;  ///< for actions that ask for it
+  const Attributes* toolColours = nullptr;  ///< likewise; where the potential is above 0
 };
 
 /// The block's neighbourhood, low-passed: (1 2 1)³/64 of the old values.
@@ -74,6 +76,7 @@ class Action {
   /// Does it; `strength` per dab.
   virtual Outcome apply(const BlockView& block, float strength) const = 0;
   virtual bool wantsLowpass() const { return false; }
+  virtual bool wantsColours() const { return false; }
 };
 
 std::unique_ptr<Action> makeAction(const ActionOptions& options);

@@ -2,6 +2,7 @@
 #pragma once
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,7 +14,8 @@ namespace bozzetto {
 ///   cylinder  elliptic about y, flat ends: [x radius, half height, z radius]
 ///   capsule   elliptic about y, its caps inside the half height and √(rx·rz) high where there is
 ///             room
-enum class Shape { ellipsoid, box, cylinder, capsule };
+///   freeform  a sculpture (Ferley §4.1.2); tools only
+enum class Shape { ellipsoid, box, cylinder, capsule, freeform };
 
 /// How the potential falls from 1 at the core to 0 at the limit of influence; u is the shape's
 /// gauge: 0 at the centre, 1 on the limit, proportional along every ray.
@@ -26,12 +28,21 @@ std::string_view toText(Profile profile);
 std::optional<Shape> shapeNamed(std::string_view name);
 std::optional<Profile> profileNamed(std::string_view name);
 
+class Sculpture;
+
 struct ToolShape {
   Shape shape = Shape::ellipsoid;
   Profile profile = Profile::wyvill;
   glm::dvec3 radii{8, 8, 8};        ///< world units: the limit of influence
   glm::dquat rotation{1, 0, 0, 0};  ///< w, x, y, z; any length but zero
+
+  /// Of freeform tools; their radii follow from it and from `scale`, along the tool's own axes.
+  std::shared_ptr<const Sculpture> sculpture{};
+  glm::dvec3 scale{1, 1, 1};
 };
+
+/// The world radii of a freeform tool: half its bounds and one of its cells, scaled.
+glm::dvec3 freeformRadii(const Sculpture& sculpture, const glm::dvec3& scale);
 
 /// Narrower tools are not sampled properly by the grid (Ferley §6); wider ones are mistakes.
 inline constexpr double kSmallestToolCells = 2, kLargestToolCells = 4096;
@@ -46,7 +57,8 @@ struct FittedTool {
 
 /// Widens radii under two cells of `spacing` to two and says so. Throws Error for radii that are
 /// not finite, not above 0 or beyond 4096 cells, for boxes of more than 2²⁹ corners, and for
-/// rotations that cannot be normalised.
+/// rotations that cannot be normalised. Freeform tools are not widened: their thin parts are
+/// pre-filtered; refused are those that would shrink to a 256th.
 FittedTool fitTool(const ToolShape& shape, double spacing);
 
 /// The rotation with length 1. Throws Error when it has none.
