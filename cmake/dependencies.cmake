@@ -10,6 +10,7 @@ find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(PNG REQUIRED)
 find_package(meshoptimizer REQUIRED)
+find_package(Eigen3 3.4 REQUIRED)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 
