@@ -18,7 +18,7 @@ namespace bozzetto {
 namespace {
 
 constexpr double kReach = 1;       // half the slope, in cells
-constexpr double kFlat = 0.02;     // of the pieces of a twisted quad, in cells
+constexpr double kFlat = 0.1;      // of the pieces of a twisted quad, in cells
 constexpr int kMostCuts = 16;
 constexpr std::size_t kMostBlocks = std::size_t{1} << 23;
 constexpr std::size_t kBatch = 2048;
@@ -71,7 +71,8 @@ struct CellMesh {
       area += glm::length(glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a)) / 2;
     }
     const double columns = double(size.i) * double(size.j);
-    if (area / 16 <= double(kMostBlocks) && columns <= 256.0 * kMostBlocks) return;
+    const bool isShort = std::max({size.i, size.j, size.k}) < 1 << 24;
+    if (area / 16 <= double(kMostBlocks) && columns <= 64.0 * kMostBlocks && isShort) return;
     throw Error("bake: found a surface of about " + std::to_string(area / 16) +
                 " blocks, expected at most 2^23: use a larger spacing");
   }
@@ -86,8 +87,8 @@ std::vector<Task> tasksOf(std::span<const NearTriangle> pairs) {
   std::vector<Task> tasks;
   for (std::size_t first = 0; first < pairs.size();) {
     std::size_t last = first;
-    while (last < pairs.size() && pairs[last].block == pairs[first].block) ++last;
-    tasks.push_back({pairs[first].block, pairs.subspan(first, last - first)});
+    while (last < pairs.size() && pairs[last].code == pairs[first].code) ++last;
+    tasks.push_back({pairs[first].block(), pairs.subspan(first, last - first)});
     first = last;
   }
   return tasks;

@@ -37,7 +37,8 @@ class Finder {
     Key first, last;
     for (const Axis axis : kAxes) {
       const int a = index(axis);
-      first[axis] = static_cast<std::int32_t>(std::ceil(low[a] / kSide - 1 + 0.125 - 1e-9));
+      const double block = std::ceil((low[a] - (kSide - 1)) / kSide - 1e-9);
+      first[axis] = static_cast<std::int32_t>(std::max(0.0, block));
       last[axis] = static_cast<std::int32_t>(std::floor(high[a] / kSide));
       if (first[axis] > last[axis]) return;
     }
@@ -55,7 +56,7 @@ class Finder {
     Axis axis = Axis::x;
     for (const Axis each : kAxes)
       if (last[each] - first[each] > last[axis] - first[axis]) axis = each;
-    if (first[axis] == last[axis]) return found.push_back({first, triangle_});
+    if (first[axis] == last[axis]) return found.push_back({NearTriangle::codeOf(first), triangle_});
     const std::int32_t middle = first[axis] + (last[axis] - first[axis]) / 2;
     Key lowEnd = last, highStart = first;
     lowEnd[axis] = middle;
@@ -100,7 +101,9 @@ std::vector<NearTriangle> nearTriangles(const TriangleMesh& mesh, double reach) 
   });
   std::vector<NearTriangle> all;
   for (const auto& chunk : chunks) all.insert(all.end(), chunk.begin(), chunk.end());
-  std::ranges::sort(all);
+  std::ranges::sort(all, [](const NearTriangle& a, const NearTriangle& b) {
+    return a.code != b.code ? a.code < b.code : a.triangle < b.triangle;
+  });
   return all;
 }
 

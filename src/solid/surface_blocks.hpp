@@ -8,14 +8,23 @@
 
 namespace bozzetto {
 
+/// Block keys are packed into one number that sorts like them; each index in [0, 2²¹).
 struct NearTriangle {
-  Key block;
+  std::uint64_t code;
   std::uint32_t triangle;
-  friend auto operator<=>(const NearTriangle&, const NearTriangle&) = default;
+
+  static std::uint64_t codeOf(Key block) {
+    return static_cast<std::uint64_t>(block.i) << 42 | static_cast<std::uint64_t>(block.j) << 21 |
+           static_cast<std::uint64_t>(block.k);
+  }
+  Key block() const {
+    const auto part = [&](int shift) { return static_cast<std::int32_t>(code >> shift & 0x1fffff); };
+    return {part(42), part(21), part(0)};
+  }
 };
 
 /// Pairs of blocks of side 8 and triangles within `reach` cells of one of their corners, in order
-/// of blocks; a few pairs too many, none missing. In parallel.
+/// of blocks; a few pairs too many, none missing. All places in [1, 2²⁴). In parallel.
 std::vector<NearTriangle> nearTriangles(const TriangleMesh& mesh, double reach);
 
 }  // namespace bozzetto
