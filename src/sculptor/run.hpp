@@ -30,6 +30,19 @@ void run(const UndoOperation& operation, Workbench<Side>& bench, const Telling& 
 template <int Side>
 void run(const RedoOperation& operation, Workbench<Side>& bench, const Telling& telling);
 
+template <int Side>
+void run(const SolidOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidMoveOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const BakeOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const WrapOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const WrapApplyOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidDropOperation& operation, Workbench<Side>& bench, const Telling& telling);
+
 /// At the end of a family's file.
 #define BOZZETTO_RUNS(Kind)                                      \
   template void run(const Kind&, Workbench<1>&, const Telling&); \

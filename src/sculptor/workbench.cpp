@@ -33,7 +33,8 @@ void Workbench<Side>::keep(Edit<Block>& edit, const FieldScale& scale, Operation
     report.changedBlocks = delta.changes.size();
     account(delta, Direction::forward);
     changed = delta.keys();
-    history_.push(std::move(delta), {report.op, before, scale});
+    history_.push(std::move(delta), {report.op, before, scale, solid_, nextSolid_});
+    solid_ = nextSolid_;
   }
   field_.scale = scale;
   refresh(changed, report);
@@ -68,6 +69,7 @@ bool Workbench<Side>::revisit(Direction direction, OperationReport& report) {
     step = forward ? &history_.redo(field_.tree) : &history_.undo(field_.tree);
   }
   field_.scale = forward ? step->note.after : step->note.before;
+  solid_ = nextSolid_ = forward ? step->note.solidAfter : step->note.solidBefore;
   account(step->delta, direction);
   report.changedBlocks += step->delta.changes.size();
   refresh(step->delta.keys(), report);

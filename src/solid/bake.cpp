@@ -17,13 +17,14 @@
 namespace bozzetto {
 namespace {
 
-constexpr double kReach = 1;       // half the slope, in cells
-constexpr double kFlat = 0.1;      // of the pieces of a twisted quad, in cells
+constexpr double kReach = 1;   // half the slope, in cells
+constexpr double kFlat = 0.1;  // of the pieces of a twisted quad, in cells
 constexpr int kMostCuts = 16;
 constexpr std::size_t kMostBlocks = std::size_t{1} << 23;
 constexpr std::size_t kBatch = 2048;
 
-// Enough pieces for every quad to be flat: a fan leaves a bilinear quad by a sixteenth of its twist.
+// Enough pieces for every quad to be flat: a fan leaves a bilinear quad by a sixteenth of its
+// twist.
 int cutsFor(const Lattice& surface, double spacing) {
   double worst = 0;
   for (Id face = 0; face < surface.faces.size(); ++face) {
@@ -134,7 +135,9 @@ template <int Side>
 class Baker {
  public:
   Baker(Edit<CornerBlock<Side>>& edit, const CellMesh& cells, Attributes colour)
-      : edit_(edit), cells_(cells), columns_(cells.mesh, cells.size.i, cells.size.j),
+      : edit_(edit),
+        cells_(cells),
+        columns_(cells.mesh, cells.size.i, cells.size.j),
         colour_(colour) {}
 
   std::int64_t run(Progress& progress) {

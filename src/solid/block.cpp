@@ -63,8 +63,8 @@ class Builder {
 
   Id face(Key key, Axis axis) {
     const std::size_t known = result.lattice.faces.size();
-    const auto [place, added] = faces_[static_cast<std::size_t>(index(axis))].try_emplace(
-        key, static_cast<Id>(known));
+    const auto [place, added] =
+        faces_[static_cast<std::size_t>(index(axis))].try_emplace(key, static_cast<Id>(known));
     if (!added) return place->second;
     const Axis u = next(axis), v = next(u);
     std::array<Key, 4> loop{key, key, key, key};

@@ -127,7 +127,8 @@ class Cutter {
       for (int u = 0; u < side; ++u) grid[static_cast<std::size_t>(v * side + u)] = place(q, u, v);
     for (int v = 0; v < cuts_; ++v) {
       for (int u = 0; u < cuts_; ++u) {
-        const auto at = static_cast<std::size_t>(v * side + u), row = static_cast<std::size_t>(side);
+        const auto at = static_cast<std::size_t>(v * side + u),
+                   row = static_cast<std::size_t>(side);
         const std::uint32_t loop[]{grid[at], grid[at + 1], grid[at + row + 1], grid[at + row]};
         addFan(mesh_, loop, inQuad(surface_, q, (u + 0.5) / cuts_, (v + 0.5) / cuts_));
       }

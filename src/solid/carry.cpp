@@ -98,8 +98,7 @@ Carrier::Carrier(const Lattice& refined, std::span<const glm::dvec3> rest,
   sources_.resize(pieces_.pieces.size());
   parallelFor(sources_.size(), 256, [&](std::size_t begin, std::size_t end) {
     BlockCache<Block> blocks(source_.tree);
-    for (std::size_t n = begin; n < end; ++n)
-      sources_[n] = sourceOf(static_cast<Id>(n), blocks);
+    for (std::size_t n = begin; n < end; ++n) sources_[n] = sourceOf(static_cast<Id>(n), blocks);
   });
 }
 

@@ -56,8 +56,7 @@ class Carrier {
             Hit& hit) const;
   bool allInside(const PieceGrid& grid, Key block) const;
   const PieceSource* commonSource(Key block) const;
-  void carryCorner(int n, FieldSampler<8>& sampler, const Hit& hit,
-                   CornerBlock<8>& out) const;
+  void carryCorner(int n, FieldSampler<8>& sampler, const Hit& hit, CornerBlock<8>& out) const;
 
   const Clay& source_;
   CellPieces pieces_;

@@ -25,7 +25,8 @@ std::array<glm::dvec3, 3> jacobian(const CellPiece& hex, const glm::dvec3& p) {
 
 double scaleSquared(const CellPiece& hex) {
   double most = 0;
-  for (const auto& p : hex.corner) most = std::max(most, glm::dot(p - hex.corner[0], p - hex.corner[0]));
+  for (const auto& p : hex.corner)
+    most = std::max(most, glm::dot(p - hex.corner[0], p - hex.corner[0]));
   return most;
 }
 
@@ -42,8 +43,8 @@ std::optional<glm::dvec3> inTetrahedron(const CellPiece& piece, const glm::dvec3
   const double det = glm::dot(glm::cross(arms[0], arms[1]), arms[2]);
   if (det == 0) return std::nullopt;
   const glm::dvec3 uvw = solved(arms, place - piece.corner[0], det);
-  const bool inside = uvw.x >= -kRim && uvw.y >= -kRim && uvw.z >= -kRim &&
-                      uvw.x + uvw.y + uvw.z <= 1 + kRim;
+  const bool inside =
+      uvw.x >= -kRim && uvw.y >= -kRim && uvw.z >= -kRim && uvw.x + uvw.y + uvw.z <= 1 + kRim;
   return inside ? std::optional(uvw) : std::nullopt;
 }
 
@@ -93,13 +94,15 @@ class Cutter {
     const auto points = topology_.cellPoints[cell];
     const Id origin = points[0];
     auto near = neighboursIn(cell, origin);
-    const auto arm = [&](std::size_t n) { return lattice_.points[near[n]] - lattice_.points[origin]; };
+    const auto arm = [&](std::size_t n) {
+      return lattice_.points[near[n]] - lattice_.points[origin];
+    };
     if (glm::dot(glm::cross(arm(0), arm(1)), arm(2)) < 0) std::swap(near[0], near[1]);
-    CellPieces::Piece piece{PieceKind::hexahedron,
-                            {origin, near[0], near[1], across(cell, origin, near[0], near[1]),
-                             near[2], across(cell, origin, near[0], near[2]),
-                             across(cell, origin, near[1], near[2]), kNoId},
-                            cell};
+    CellPieces::Piece piece{
+        PieceKind::hexahedron,
+        {origin, near[0], near[1], across(cell, origin, near[0], near[1]), near[2],
+         across(cell, origin, near[0], near[2]), across(cell, origin, near[1], near[2]), kNoId},
+        cell};
     for (const Id point : points) {
       if (std::ranges::find(piece.points, point) == piece.points.end()) piece.points[7] = point;
     }

@@ -23,8 +23,10 @@ class Shadow {
     const auto &a = at(0), &b = at(1), &c = at(2);
     const auto first = [](double x) { return std::max(0, static_cast<int>(std::ceil(x)) - 1); };
     const int i0 = first(std::min({a.x, b.x, c.x})), j0 = first(std::min({a.y, b.y, c.y}));
-    const int i1 = std::min<int>(sizeI - 1, static_cast<int>(std::floor(std::max({a.x, b.x, c.x}))));
-    const int j1 = std::min<int>(sizeJ - 1, static_cast<int>(std::floor(std::max({a.y, b.y, c.y}))));
+    const int i1 =
+        std::min<int>(sizeI - 1, static_cast<int>(std::floor(std::max({a.x, b.x, c.x}))));
+    const int j1 =
+        std::min<int>(sizeJ - 1, static_cast<int>(std::floor(std::max({a.y, b.y, c.y}))));
     for (int i = i0; i <= i1; ++i) {
       for (int j = j0; j <= j1; ++j) {
         const std::array<bool, 3> left{leftOf(0, i, j), leftOf(1, i, j), leftOf(2, i, j)};

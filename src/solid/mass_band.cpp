@@ -76,8 +76,8 @@ class Apron {
     constexpr std::array<float, 3> weights{1, 2, 1};
     for (int n = 0; n < 27; ++n) {
       const int di = n / 9, dj = n / 3 % 3, dk = n % 3;
-      const float weight = weights[std::size_t(di)] * weights[std::size_t(dj)] *
-                           weights[std::size_t(dk)];
+      const float weight =
+          weights[std::size_t(di)] * weights[std::size_t(dj)] * weights[std::size_t(dk)];
       callback(static_cast<std::size_t>(indexOf(i + di, j + dj, k + dk)), weight);
     }
   }
@@ -94,8 +94,8 @@ Band bandOf(BlockCache<Block>& blocks, Key key) {
     const int i = n / 64, j = n / 8 % 8, k = n % 8;
     const float b = apron.blurred(i, j, k), weight = 4 * b * (1 - b);
     if (weight <= 0) continue;
-    band.push_back({static_cast<std::uint16_t>(n), apron.value(i, j, k), weight,
-                    apron.attributes(i, j, k)});
+    band.push_back(
+        {static_cast<std::uint16_t>(n), apron.value(i, j, k), weight, apron.attributes(i, j, k)});
   }
   return band;
 }

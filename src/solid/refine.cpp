@@ -54,8 +54,8 @@ class Splitter {
         beside[beside[0] == kNoId ? 0 : 1] = face;
       }
       quadOfEdge_[edge] = static_cast<Id>(result_.faces.size());
-      result_.faces.add({edgePoint_ + edge, facePoint_ + beside[0], cellPoint_ + cell,
-                         facePoint_ + beside[1]});
+      result_.faces.add(
+          {edgePoint_ + edge, facePoint_ + beside[0], cellPoint_ + cell, facePoint_ + beside[1]});
     }
     for (const Id point : topology_.cellPoints[cell]) addCornerCell(cell, point);
     for (const Id edge : topology_.cellEdges[cell]) quadOfEdge_[edge] = kNoId;

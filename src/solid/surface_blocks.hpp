@@ -18,7 +18,9 @@ struct NearTriangle {
            static_cast<std::uint64_t>(block.k);
   }
   Key block() const {
-    const auto part = [&](int shift) { return static_cast<std::int32_t>(code >> shift & 0x1fffff); };
+    const auto part = [&](int shift) {
+      return static_cast<std::int32_t>(code >> shift & 0x1fffff);
+    };
     return {part(42), part(21), part(0)};
   }
 };

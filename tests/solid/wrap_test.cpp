@@ -63,7 +63,8 @@ TEST(Wrap, PointsAreNamedFromZeroToCellsPlusTwo) {
   EXPECT_EQ(block.names.size(), 7u * 5 * 4);
   for (std::size_t n = 0; n < block.names.size(); ++n) {
     const Key key = block.names[n];
-    EXPECT_EQ(block.lattice.points[n], glm::dvec3(2.0 * key.i - 2, 2.0 * key.j - 2, 2.0 * key.k - 2));
+    EXPECT_EQ(block.lattice.points[n],
+              glm::dvec3(2.0 * key.i - 2, 2.0 * key.j - 2, 2.0 * key.k - 2));
   }
 }
 

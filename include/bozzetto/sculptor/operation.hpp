@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "bozzetto/sculptor/solid_operations.hpp"
 #include "bozzetto/tool/action.hpp"
 #include "bozzetto/tool/fill.hpp"
 #include "bozzetto/tool/shape.hpp"
@@ -53,7 +54,9 @@ struct ResampleOperation {
 };
 
 using Operation = std::variant<SceneOperation, FillOperation, ToolOperation, ActionOperation,
-                               StrokeOperation, UndoOperation, RedoOperation, ResampleOperation>;
+                               StrokeOperation, UndoOperation, RedoOperation, ResampleOperation,
+                               SolidOperation, SolidMoveOperation, BakeOperation, WrapOperation,
+                               WrapApplyOperation, SolidDropOperation>;
 
 /// The "op" of an operation: "scene", "fill", …
 std::string_view nameOf(const Operation& operation);

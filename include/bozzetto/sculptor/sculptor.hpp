@@ -28,6 +28,9 @@ class BasicSculptor {
     return std::make_unique<LiveStroke<Side>>(bench_, std::move(stroke));
   }
 
+  /// The solid being worked on; null when there is none.
+  const SolidRef& solid() const { return bench_.solid(); }
+
   const Field<Side>& field() const { return bench_.field(); }
   const History& history() const { return bench_.history(); }
   /// The tool of the next stroke; as long as nobody chose one, a ball of 8 cells.

@@ -8,6 +8,7 @@
 #include "bozzetto/field/field.hpp"
 #include "bozzetto/history/undo_stack.hpp"
 #include "bozzetto/sculptor/report.hpp"
+#include "bozzetto/solid/solid.hpp"
 #include "bozzetto/surface/surface.hpp"
 #include "bozzetto/tool/action.hpp"
 #include "bozzetto/tool/shape.hpp"
@@ -36,6 +37,7 @@ class Workbench {
   struct StepNote {
     std::string label;
     FieldScale before, after;
+    SolidRef solidBefore, solidAfter;
   };
   using History = UndoStack<Block, StepNote>;
 
@@ -45,6 +47,11 @@ class Workbench {
   const History& history() const { return history_; }
   const Surface<Side>& surface() const { return surface_; }  ///< needs upkeep
   double mass() const;  ///< world units; a ledger, not a count: O(1)
+
+  /// The solid being worked on; null when there is none.
+  const SolidRef& solid() const { return solid_; }
+  /// What the solid is after the next `keep`, whose step remembers both.
+  void setSolid(SolidRef solid) { nextSolid_ = std::move(solid); }
 
   Hand hand;
 
@@ -69,6 +76,7 @@ class Workbench {
   Surface<Side> surface_;
   Tree shown_;  // what the surface shows: shares blocks with the field
   History history_;
+  SolidRef solid_, nextSolid_;
   SurfaceUpkeep upkeep_;
   MassSum massUnits_ = 0;
 };

@@ -15,7 +15,8 @@ namespace bozzetto {
 enum class PieceKind : std::uint8_t { hexahedron, tetrahedron };
 
 /// A cell or part of one, with coordinates (u, v, w) inside. Hexahedron: trilinear, corner n at
-/// u = bit 0, v = bit 1, w = bit 2 of n. Tetrahedron: corners 0…3, (u, v, w) the weights of 1, 2, 3.
+/// u = bit 0, v = bit 1, w = bit 2 of n. Tetrahedron: corners 0…3, (u, v, w) the weights of 1,
+/// 2, 3.
 struct CellPiece {
   PieceKind kind = PieceKind::hexahedron;
   std::array<glm::dvec3, 8> corner;

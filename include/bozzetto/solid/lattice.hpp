@@ -19,11 +19,11 @@ PointPair pointPair(Id a, Id b);
 
 /// A value. Points nobody uses are allowed; `compacted` takes them out.
 struct Lattice {
-  std::vector<glm::dvec3> points;      ///< world units
-  Lists faces;                         ///< points round each face, either way round
-  Lists cells;                         ///< faces of each cell; a face has one or two cells
-  std::vector<PointPair> sharpEdges;   ///< rising; of boundary edges they make creases
-  std::vector<Id> sharpPoints;         ///< rising; of boundary points they make corners
+  std::vector<glm::dvec3> points;     ///< world units
+  Lists faces;                        ///< points round each face, either way round
+  Lists cells;                        ///< faces of each cell; a face has one or two cells
+  std::vector<PointPair> sharpEdges;  ///< rising; of boundary edges they make creases
+  std::vector<Id> sharpPoints;        ///< rising; of boundary points they make corners
 
   friend bool operator==(const Lattice&, const Lattice&) = default;
 };
