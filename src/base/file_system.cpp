@@ -115,7 +115,8 @@ std::optional<FileInfo> FileSystem::info(const fs::path& path) {
   FileInfo info;
   const int result = must(path, "look at it", [&] {
     const int code = infoOnce(path, info);
-    return code == -ENOENT || code == -ENOTDIR ? 1 : code;
+    // A name that is too long is nobody's.
+    return code == -ENOENT || code == -ENOTDIR || code == -ENAMETOOLONG ? 1 : code;
   });
   return result == 0 ? std::optional(info) : std::nullopt;
 }

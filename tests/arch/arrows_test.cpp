@@ -152,11 +152,13 @@ TEST(ThirdParty, NoOtherWayToOpenGl) {
   });
 }
 
-TEST(Threads, LiveInBaseParallelOnly) {
+TEST(Threads, LiveInBaseOnly) {
   static const Names forbidden{"thread", "future",    "execution", "barrier",
                                "latch",  "semaphore", "pthread.h"};
   forEachInclude([](const TextFile& file, const Include& include) {
-    if (moduleOf(file).empty() || file.path == "src/base/parallel.cpp") return;
+    const bool ours =
+        file.path == "src/base/parallel.cpp" || file.path == "src/base/background.cpp";
+    if (moduleOf(file).empty() || ours) return;
     const bool threads = forbidden.contains(include.header) || include.header.starts_with("tbb/") ||
                          include.header.starts_with("oneapi/tbb/");
     EXPECT_FALSE(threads) << include.where << ": <" << include.header << ">";

@@ -158,6 +158,54 @@ TEST(SceneFile, aFileThatSomebodyElseTouchedIsWrittenWhole) {
   expectEqual(document, loadScene(folder / "b.bzt"));
 }
 
+TEST(SceneFile, theFirstSaveOfASessionKeepsThePreviousVersion) {
+  const Folder folder;
+  const Document old = sampleDocument();
+  saveScene(folder / "a.bzt", old);
+  EXPECT_EQ(namesIn(folder), std::set<std::string>{"a.bzt"});
+  SceneFile file;
+  Document document = file.load(folder / "a.bzt");
+  for (int n = 0; n < 3; ++n) {
+    dab(document, {n * 10, 0, 0});
+    EXPECT_EQ(file.save(folder / "a.bzt", document).kind, SaveKind::changes);
+    expectEqual(document, loadScene(folder / "a.bzt"));
+    expectEqual(old, loadScene(previousVersionOf(folder / "a.bzt")));
+  }
+  EXPECT_EQ(namesIn(folder), (std::set<std::string>{"a.bzt", "a.bzt~"}));
+}
+
+TEST(SceneFile, numberedCopiesGoOnFromTheLastOne) {
+  const Folder folder;
+  Document document = sampleDocument();
+  saveScene(folder / "faun.bzt", document);
+  for (const char* other : {"faun.x07.bzt", "faun.007.obj", "faun.bzt.009.bzt", "fau.010.bzt"}) {
+    writeFile(folder / other, {});
+  }
+  EXPECT_EQ(saveNumberedCopy(folder / "faun.bzt", document), folder / "faun.001.bzt");
+  const Document first = document;
+  dab(document, {0, 0, 0});
+  EXPECT_EQ(saveNumberedCopy(folder / "faun.bzt", document), folder / "faun.002.bzt");
+  expectEqual(document, loadScene(folder / "faun.002.bzt"));
+  writeFile(folder / "faun.1204.bzt", {});
+  EXPECT_EQ(saveNumberedCopy(folder / "faun.bzt", document), folder / "faun.1205.bzt");
+  expectEqual(first, loadScene(folder / "faun.001.bzt"));
+}
+
+TEST(SceneFile, namesOfAnyLength) {
+  const Folder folder;
+  for (const std::size_t length : {246u, 247u, 248u, 254u, 255u}) {
+    const auto path = folder / std::string(length, 'n');
+    Document document = sampleDocument();
+    saveScene(path, document);
+    SceneFile file;
+    document = file.load(path);
+    dab(document, {0, 0, 0});
+    const SaveKind kind = file.save(path, document).kind;
+    EXPECT_EQ(kind, length > 247 ? SaveKind::whole : SaveKind::changes) << length;
+    expectEqual(document, loadScene(path));
+  }
+}
+
 TEST(SceneFile, refusesWhatIsNoFile) {
   const Folder folder;
   ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
