@@ -5,8 +5,8 @@
 
 #include "tool/block_work.hpp"
 #include "tool/corner_loop.hpp"
-#include "tool/relative.hpp"
-#include "tool/solid.hpp"
+#include "bozzetto/tool/relative.hpp"
+#include "bozzetto/tool/solid.hpp"
 
 namespace bozzetto {
 namespace {

@@ -1,4 +1,4 @@
-#include "tool/relative.hpp"
+#include "bozzetto/tool/relative.hpp"
 
 #include <cmath>
 #include <string>

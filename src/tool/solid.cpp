@@ -1,4 +1,4 @@
-#include "tool/solid.hpp"
+#include "bozzetto/tool/solid.hpp"
 
 #include "bozzetto/base/error.hpp"
 #include "tool/block_rows.hpp"

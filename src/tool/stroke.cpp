@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "bozzetto/tool/relative.hpp"
 #include "tool/freeform.hpp"
-#include "tool/relative.hpp"
 
 namespace bozzetto {
 namespace {

@@ -1,6 +1,7 @@
 // Strokes: points joined by lines, resampled to dabs, repeated by symmetry. One edit a stroke.
 #pragma once
 #include <cstdint>
+#include <glm/gtc/quaternion.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,6 +27,8 @@ struct PressureTargets {
 
 struct Stroke {
   std::vector<StrokePoint> points;
+  /// Of the tool at each point, on top of its own rotation; w, x, y, z. Empty: none.
+  std::vector<glm::dquat> rotations;
   double spacing = 0.25;  ///< between dabs, × the tool's smallest radius; > 0
   PressureTargets pressure;
   Symmetry symmetry;

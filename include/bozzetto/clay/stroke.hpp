@@ -1,0 +1,69 @@
+// Strokes that push and grip: the tool moves in steps of half a cell, and after each the clay has
+// given way. One edit a stroke, like those of brushes.
+#pragma once
+#include <memory>
+
+#include "bozzetto/clay/settings.hpp"
+#include "bozzetto/tool/stroke.hpp"
+
+namespace bozzetto::clay {
+
+/// A tool that stands still: a table, a wall, a finger.
+struct Support {
+  Shape shape = Shape::box;
+  glm::dvec3 centre{0};             ///< world units
+  glm::dvec3 radii{8, 8, 8};        ///< world units; its surface
+  glm::dquat rotation{1, 0, 0, 0};  ///< w, x, y, z
+};
+
+/// What a stroke meets beside the clay.
+struct Setup {
+  Settings settings;
+  std::vector<Support> supports;
+};
+
+/// Throws Error for radii and rotations that are none.
+void requireValid(const Support& support);
+
+/// A stroke step by step, so that a window can show each. The caller owns the edit and commits it.
+/// The tool's surface lies at its radii; pressure plays no part. Steps work on a copy of the clay
+/// within reach: all of the connected piece, or for fluid clay what is near the tool.
+template <int Side>
+class ClayStroke {
+ public:
+  /// Checks everything first. Throws Error for bad points, rotations, tools, settings, for more
+  /// than 10 million steps and for ways beyond the workspace.
+  ClayStroke(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, const ToolShape& tool,
+             Role role, const Stroke& stroke, const Setup& setup);
+  ~ClayStroke();
+
+  std::int64_t stepCount() const;
+  const std::string& notice() const;  ///< about the tool; may be empty
+
+  /// Makes the n-th step; they are made in order. O(clay within reach).
+  StepReport step(std::int64_t n);
+
+  /// Writes what has changed since the last call to the edit; returns the keys of changed blocks
+  /// in order. Call it when the clay is to be seen, and at the end.
+  std::vector<KeyRun> store();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+extern template class ClayStroke<1>;
+extern template class ClayStroke<8>;
+
+/// Runs the layers `steps` times without a tool over all the clay; returns the keys of changed
+/// blocks. Throws Error for more clay than the working set can hold.
+template <int Side>
+std::vector<KeyRun> relax(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
+                          const Setup& setup, int steps);
+
+extern template std::vector<KeyRun> relax(Edit<CornerBlock<1>>&, const FieldScale&, const Setup&,
+                                          int);
+extern template std::vector<KeyRun> relax(Edit<CornerBlock<8>>&, const FieldScale&, const Setup&,
+                                          int);
+
+}  // namespace bozzetto::clay

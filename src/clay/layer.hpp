@@ -1,0 +1,37 @@
+// A layer edits the densities of a region once a step. Layers know nothing of each other; what they
+// share is the region, so they may run in any order and combination (Dewaele §2.2).
+#pragma once
+#include <memory>
+
+#include "bozzetto/clay/settings.hpp"
+#include "clay/placed_tool.hpp"
+
+namespace bozzetto::clay {
+
+/// All a layer may look at.
+struct Work {
+  Region& region;
+  const std::vector<PlacedTool>& moving;
+  const std::vector<PlacedTool>& supports;
+  Key origin;  ///< motions count from here
+  const Settings& settings;
+  float iso;
+  std::int64_t step;  ///< counts over the life of the stroke
+  StepReport& report;
+
+  bool has(LayerKind layer) const {
+    for (const LayerKind each : settings.layers)
+      if (each == layer) return true;
+    return false;
+  }
+};
+
+class Layer {
+ public:
+  virtual ~Layer() = default;
+  virtual void run(Work& work) = 0;
+};
+
+std::unique_ptr<Layer> makeLayer(LayerKind kind, Scheme scheme);
+
+}  // namespace bozzetto::clay

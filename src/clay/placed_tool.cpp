@@ -1,0 +1,116 @@
+#include "clay/placed_tool.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace bozzetto::clay {
+namespace {
+
+KeyBox common(const KeyBox& a, const KeyBox& b) {
+  KeyBox result;
+  for (const Axis axis : kAxes) {
+    result.low[axis] = std::max(a.low[axis], b.low[axis]);
+    result.high[axis] = std::min(a.high[axis], b.high[axis]);
+  }
+  return result;
+}
+
+// Solids slope over two cells; tools for clay over one: clay wants sharp edges.
+float sharpened(float value) { return std::clamp(2 * value - 0.5f, 0.0f, 1.0f); }
+
+template <class Callback>
+void forTiles(const KeyBox& box, const Callback& callback) {
+  if (box.empty()) return;
+  const KeyBox tiles = tileBox(box, 0);
+  constexpr std::int32_t step = Region::kTile;
+  for (std::int32_t i = tiles.low.i; i <= tiles.high.i; i += step)
+    for (std::int32_t j = tiles.low.j; j <= tiles.high.j; j += step)
+      for (std::int32_t k = tiles.low.k; k <= tiles.high.k; k += step) callback(Key{i, j, k});
+}
+
+}  // namespace
+
+float PlacedTool::cover(Key key) const {
+  float value;
+  solid->evaluate(key - solid->cell, 1, &value);
+  return sharpened(value);
+}
+
+std::uint8_t PlacedTool::waysOut(Key key) const {
+  const Key local = key - solid->cell;
+  const glm::dvec3 place(local.i, local.j, local.k);
+  glm::dvec3 slope;
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 step(0);
+    step[axis] = 0.25;
+    slope[axis] = solid->distance(place + step) - solid->distance(place - step);
+  }
+  const double length = glm::length(slope);
+  std::uint8_t ways = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (slope[axis] >= 0.5 * length) ways |= static_cast<std::uint8_t>(1 << 2 * axis);
+    if (slope[axis] <= -0.5 * length) ways |= static_cast<std::uint8_t>(2 << 2 * axis);
+  }
+  return ways;
+}
+
+void CoverPainter::paintStatic(Region& region, const std::vector<PlacedTool>& supports) {
+  before_.clear();
+  for (const PlacedTool& tool : supports) paint(region, tool, kStatic);
+  before_.clear();
+  // Clay that goes on beyond the region is held there.
+  forTiles(region.inner(), [&](Key tile) {
+    const KeyBox inner = region.inner();
+    if (inner.contains(tile - Key{1, 1, 1}) && inner.contains(tile + Key{8, 8, 8})) return;
+    for (int n = 0; n < 512; ++n) {
+      const std::size_t cell = region.index(tile + Key{n / 64, n / 8 % 8, n % 8});
+      for (const std::ptrdiff_t step : region.neighbours())
+        if (region.owner[cell + step] == kRim && region.value[cell + step] > kThin)
+          region.owner[cell] = kStatic;
+    }
+  });
+}
+
+void CoverPainter::paintMoving(Region& region, const std::vector<PlacedTool>& moving) {
+  for (auto painted = before_.rbegin(); painted != before_.rend(); ++painted) {
+    region.cover[painted->cell] = painted->cover;
+    region.owner[painted->cell] = painted->owner;
+  }
+  before_.clear();
+  for (std::size_t n = 0; n < moving.size(); ++n)
+    paint(region, moving[n], static_cast<std::uint8_t>(kMoving + n));
+}
+
+void CoverPainter::paint(Region& region, const PlacedTool& tool, std::uint8_t owner) {
+  forTiles(common(tool.box, region.inner()),
+           [&](Key tile) { paintTile(region, tool, owner, tile); });
+}
+
+void CoverPainter::paintTile(Region& region, const PlacedTool& tool, std::uint8_t owner, Key tile) {
+  float value[512];
+  tool.solid->evaluate(tile - tool.solid->cell, 8, value);
+  for (int n = 0; n < 512; ++n) {
+    if (value[n] <= 0.25f) continue;
+    const std::size_t cell = region.index(tile + Key{n / 64, n / 8 % 8, n % 8});
+    before_.push_back({cell, region.cover[cell], region.owner[cell]});
+    if (tool.role != Role::grip)
+      region.cover[cell] = std::max(region.cover[cell], sharpened(value[n]));
+    if (region.owner[cell] == kNobody) region.owner[cell] = owner;
+  }
+}
+
+bool touchesClay(const Region& region, const PlacedTool& tool) {
+  bool touches = false;
+  forTiles(common(tool.box, region.inner()), [&](Key tile) {
+    if (touches) return;
+    float value[512];
+    tool.solid->evaluate(tile - tool.solid->cell, 8, value);
+    for (int n = 0; n < 512 && !touches; ++n)
+      touches = value[n] > 0.25f &&
+                region.value[region.index(tile + Key{n / 64, n / 8 % 8, n % 8})] > kThin;
+  });
+  return touches;
+}
+
+}  // namespace bozzetto::clay

@@ -1,0 +1,59 @@
+// A tool at one step: where it is, what it does, how far it moved.
+#pragma once
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <vector>
+
+#include "bozzetto/clay/settings.hpp"
+#include "bozzetto/tool/solid.hpp"
+#include "clay/region.hpp"
+
+namespace bozzetto::clay {
+
+/// A rigid motion as a displacement field: p moves by turn·p + shift, p in cells from the stroke's
+/// origin.
+struct Motion {
+  glm::dmat3 turn{0};
+  glm::dvec3 shift{0};
+  glm::dvec3 at(const glm::dvec3& p) const { return turn * p + shift; }
+};
+
+struct PlacedTool {
+  std::unique_ptr<Solid> solid;
+  KeyBox box;  ///< corners it may cover
+  Role role = Role::push;
+  Motion motion;
+  double radius = 1;  ///< the largest, in cells
+
+  bool moving() const { return role != Role::support; }
+  /// Part of the cell that the tool takes, 0 … 1 over one cell across its surface.
+  float cover(Key key) const;
+  /// Bits of the directions that lead out of the tool at this cell, within 60° of the way to its
+  /// surface (Dewaele §3.2.2). Bit n is neighbours()[n].
+  std::uint8_t waysOut(Key key) const;
+};
+
+/// Keeps `cover` and `owner` of a region: static tools once, moving tools anew each step.
+class CoverPainter {
+ public:
+  /// For a region just loaded.
+  void paintStatic(Region& region, const std::vector<PlacedTool>& supports);
+  /// Takes the last step's moving tools away and paints these.
+  void paintMoving(Region& region, const std::vector<PlacedTool>& moving);
+
+ private:
+  struct Painted {
+    std::size_t cell;
+    float cover;
+    std::uint8_t owner;
+  };
+  void paint(Region& region, const PlacedTool& tool, std::uint8_t owner);
+  void paintTile(Region& region, const PlacedTool& tool, std::uint8_t owner, Key tile);
+
+  std::vector<Painted> before_;
+};
+
+/// Any cell of clay that the tool covers.
+bool touchesClay(const Region& region, const PlacedTool& tool);
+
+}  // namespace bozzetto::clay

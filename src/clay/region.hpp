@@ -1,0 +1,126 @@
+// The working set of a step: the clay in a box of tiles, as plain arrays, so that kernels run over
+// long rows with constant strides. Only rows of tiles that hold clay, and their neighbours, are
+// visited. The outermost tiles are the rim: what they hold is seen, and never moves.
+//
+// Values are multiples of 2⁻²⁰ below 16: sums and differences of them are exact in float, so what
+// is taken from one cell and given to another is conserved to the last bit, in any order.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "bozzetto/base/parallel.hpp"
+#include "bozzetto/base/simd.hpp"
+#include "bozzetto/grid/key.hpp"
+#include "clay/cells.hpp"
+
+namespace bozzetto::clay {
+
+/// The nearest multiple of 2⁻²⁰, for |x| < 4.
+BOZZETTO_KERNEL float quantised(float x) { return (x + 12.0f) - 12.0f; }
+inline constexpr float kQuantum = 0x1p-20f;
+
+/// Cells that hold less have no clay as far as distances and seeds are concerned (clay.md §3.1).
+inline constexpr float kThin = 0.01f;
+inline constexpr std::uint8_t kFixed = 255;
+
+/// `count` cells from local (i, j, k) upwards along k.
+struct Row {
+  std::size_t base;
+  std::int32_t i, j, k, count;
+};
+
+/// What a cell is to the projection.
+enum class CellType : std::uint8_t { air = 0, clay = 1, closed = 2, gripped = 3 };
+
+/// Nobody, the static tools, moving tool n as kMoving + n, or the rim.
+enum Owner : std::uint8_t { kNobody = 0, kStatic = 1, kMoving = 2, kRim = 255 };
+
+class Region {
+ public:
+  static constexpr int kTile = 8;
+
+  /// `box`: corners, made of whole tiles of 8, two or more tiles of rim included.
+  explicit Region(const KeyBox& box);
+
+  const KeyBox& box() const { return box_; }
+  /// The box without the rim.
+  KeyBox inner() const;
+  std::size_t index(Key key) const;
+  Key key(std::size_t index) const;
+  /// Steps to the next cell along each axis.
+  const std::array<std::ptrdiff_t, 3>& strides() const { return strides_; }
+  /// Steps to the six neighbours: +i, −i, +j, −j, +k, −k.
+  const std::array<std::ptrdiff_t, 6>& neighbours() const { return neighbours_; }
+
+  /// Looks where clay is now and lists the rows. `everywhere` after loading; later only tiles
+  /// that were listed are looked at: matter moves less than a tile between two calls.
+  void refreshRows(bool everywhere = false);
+  /// Rows of tiles with clay and of their 26 neighbours, the rim left out.
+  const std::vector<Row>& rows() const { return rows_; }
+  /// Rows of tiles with cells of half a cell's clay or more.
+  const std::vector<Row>& denseRows() const { return denseRows_; }
+  /// Clay stands in a tile beside the rim.
+  bool reachesRim() const { return reachesRim_; }
+  std::int64_t clayCells() const { return clayCells_; }
+
+  /// First corners of tiles that were ever listed: what may differ from the tree.
+  std::vector<Key> visitedTiles() const;
+  bool inRim(Key key) const;
+
+  /// Moves matter, and its colour, between two cells. Exact for multiples of 2⁻²⁰.
+  void carry(std::size_t from, std::size_t to, float amount) {
+    const float sum = value[to] + amount;
+    if (colour[0] && sum > 0)
+      for (auto& channel : colour) channel[to] += (channel[from] - channel[to]) * (amount / sum);
+    value[to] = sum;
+    value[from] -= amount;
+  }
+
+  Cells<float> value, cover, pressure, pressureNext, rhs, inverse, flux, scratch, scratch2;
+  std::array<Cells<float>, 3> wish;    ///< displacement of cells
+  std::array<Cells<float>, 3> face;    ///< displacement at faces to the next cell
+  std::array<Cells<float>, 3> colour;  ///< 0…255; empty where one colour is all
+  Cells<std::uint8_t> hold, owner, type, mark, mark2;
+  std::uint32_t onlyColour = 0;  ///< attributes without hold
+  bool wished = false;           ///< a layer has asked for a displacement not yet carried out
+
+ private:
+  struct Tiles {
+    std::int32_t i, j, k;
+  };
+  std::size_t tileIndex(std::int32_t i, std::int32_t j, std::int32_t k) const;
+  void lookAt(std::size_t tile);
+  void list();
+  void clear(std::size_t tile);
+  template <class Callback>
+  void forRowsOfTile(std::size_t tile, const Callback& callback) const;
+  void listRows(std::uint8_t flag, std::vector<Row>& rows) const;
+
+  KeyBox box_;
+  Tiles tiles_;
+  std::array<std::ptrdiff_t, 3> strides_;
+  std::array<std::ptrdiff_t, 6> neighbours_;
+  std::vector<std::uint8_t> flags_;
+  std::vector<std::uint32_t> listed_;
+  std::vector<std::int32_t> countOf_;
+  std::vector<Row> rows_, denseRows_;
+  bool reachesRim_ = false;
+  std::int64_t clayCells_ = 0;
+};
+
+/// The box of whole tiles that holds `box` and `rim` more tiles on every side.
+KeyBox tileBox(const KeyBox& box, std::int32_t rim);
+
+/// Runs body(row) for all rows, in parallel where there is enough to do.
+template <class Body>
+void forRows(const std::vector<Row>& rows, const Body& body) {
+  if (rows.empty()) return;
+  constexpr std::size_t cellsAThread = 16384;
+  const auto mean = static_cast<std::size_t>(rows[rows.size() / 2].count);
+  parallelFor(rows.size(), cellsAThread / mean + 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) body(rows[n]);
+  });
+}
+
+}  // namespace bozzetto::clay

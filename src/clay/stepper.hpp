@@ -1,0 +1,20 @@
+// One step of clay: tools are painted, layers run in their order, what was wished is carried out.
+#pragma once
+#include "clay/layer.hpp"
+
+namespace bozzetto::clay {
+
+class Stepper {
+ public:
+  explicit Stepper(const Settings& settings);
+  /// The region's static tools are painted already.
+  void step(Work& work);
+  /// For a region just loaded.
+  void begin(Region& region, const std::vector<PlacedTool>& supports);
+
+ private:
+  std::vector<std::unique_ptr<Layer>> layers_;
+  CoverPainter painter_;
+};
+
+}  // namespace bozzetto::clay

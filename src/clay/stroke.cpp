@@ -1,0 +1,323 @@
+#include "bozzetto/clay/stroke.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "bozzetto/tool/relative.hpp"
+#include "clay/exchange.hpp"
+#include "clay/pose_path.hpp"
+#include "clay/reach.hpp"
+#include "clay/stepper.hpp"
+
+namespace bozzetto::clay {
+namespace {
+
+constexpr double kStepCells = 0.5;  // clay.md §3.0
+constexpr double kFluid = 0.1;      // less stiffness than this leads nobody far
+constexpr double kFluidReach = 2;   // × radius: how far round the tool fluid clay gives way
+constexpr std::int32_t kRoom = 2;   // tiles of air round the clay of a region
+constexpr std::int32_t kSlack = 2;  // tiles a tool may move before its region does
+
+PlacedTool place(Shape shape, const DabPose& pose, Role role) {
+  PlacedTool tool;
+  tool.solid = makeSolid(shape, pose);
+  tool.box = grown(dabBox(pose), 1);
+  tool.role = role;
+  tool.radius = std::max({pose.radii.x, pose.radii.y, pose.radii.z});
+  return tool;
+}
+
+KeyBox united(const KeyBox& a, const KeyBox& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  KeyBox result = a;
+  for (const Axis axis : kAxes) {
+    result.low[axis] = std::min(a.low[axis], b.low[axis]);
+    result.high[axis] = std::max(a.high[axis], b.high[axis]);
+  }
+  return result;
+}
+
+bool within(const KeyBox& box, const KeyBox& outer) {
+  return outer.contains(box.low) && outer.contains(box.high);
+}
+
+std::vector<PlacedTool> placeSupports(const std::vector<Support>& supports, double spacing) {
+  std::vector<PlacedTool> placed;
+  for (const Support& support : supports) {
+    const Key origin = cellOf(support.centre, spacing, "support centre");
+    placed.push_back(
+        place(support.shape,
+              {origin, relativeTo(origin, support.centre, spacing),
+               glm::mat3_cast(normalisedRotation(support.rotation)), support.radii / spacing},
+              Role::support));
+  }
+  return placed;
+}
+
+// Warm start: the pressure where both regions are.
+void keepPressure(const Region& from, Region& to) {
+  for (const Row& row : from.denseRows())
+    for (std::int32_t n = 0; n < row.count; ++n) {
+      const Key key = from.box().low + Key{row.i, row.j, row.k + n};
+      if (to.inner().contains(key)) to.pressure[to.index(key)] = from.pressure[row.base + n];
+    }
+}
+
+void requireSound(const Stroke& stroke) {
+  if (stroke.points.empty()) throw Error("stroke: no points found, at least one expected");
+  if (!stroke.rotations.empty() && stroke.rotations.size() != stroke.points.size()) {
+    throw Error("stroke: " + std::to_string(stroke.rotations.size()) + " rotations found, " +
+                std::to_string(stroke.points.size()) + " expected, one a point");
+  }
+  bozzetto::requireValid(stroke.symmetry);
+}
+
+}  // namespace
+
+void requireValid(const Support& support) {
+  normalisedRotation(support.rotation);
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(support.radii[axis] > 0) || !std::isfinite(support.radii[axis])) {
+      throw Error("support radius: " + std::to_string(support.radii[axis]) +
+                  " found, a number above 0 expected");
+    }
+}
+
+template <int Side>
+struct ClayStroke<Side>::State {
+  Edit<CornerBlock<Side>>* edit;
+  Setup setup;
+  float iso;
+  Role role;
+  ToolShape tool;  // radii in cells
+  std::string notice;
+  Key origin;
+  std::vector<glm::dmat3> images;
+  glm::dvec3 centre{0};
+  std::optional<PosePath> path;
+  std::int64_t count = 0;
+  std::vector<PlacedTool> supports;
+  Stepper stepper;
+  std::optional<Region> region;
+  bool whole = true, touching = false;
+  std::vector<KeyRun> changed;  // by what was stored between two calls of store()
+
+  State(Edit<CornerBlock<Side>>& edit_, const FieldScale& scale, const Setup& setup_)
+      : edit(&edit_),
+        setup(setup_),
+        iso(scale.iso),
+        supports(placeSupports(setup_.supports, scale.spacing)),
+        stepper(setup_.settings) {}
+
+  bool fluid() const {
+    const auto& layers = setup.settings.layers;
+    return setup.settings.stiffness <= kFluid ||
+           std::find(layers.begin(), layers.end(), LayerKind::displacement) == layers.end();
+  }
+
+  double radius() const { return std::max({tool.radii.x, tool.radii.y, tool.radii.z}); }
+
+  DabPose dabPose(const Pose& pose) const {
+    return {origin, pose.position, glm::mat3_cast(pose.rotation * tool.rotation), tool.radii};
+  }
+
+  // The tool and its images after `now` steps, moved since `before`.
+  std::vector<PlacedTool> toolsAt(double before, double now) const {
+    const Pose from = path->at(before), to = path->at(now);
+    const glm::dmat3 turn =
+        glm::mat3_cast(to.rotation) * glm::transpose(glm::mat3_cast(from.rotation));
+    std::vector<PlacedTool> tools;
+    for (const glm::dmat3& image : images) {
+      DabPose pose = dabPose(to);
+      pose.position = centre + image * (to.position - centre);
+      pose.orientation = image * pose.orientation;
+      PlacedTool placed = place(tool.shape, pose, role);
+      const glm::dmat3 turned = image * turn * glm::transpose(image);
+      const glm::dvec3 start = centre + image * (from.position - centre);
+      placed.motion.turn = turned - glm::dmat3(1);
+      placed.motion.shift = pose.position - turned * start;
+      tools.push_back(std::move(placed));
+    }
+    return tools;
+  }
+
+  static KeyBox boxOf(const std::vector<PlacedTool>& tools) {
+    KeyBox box;
+    for (const PlacedTool& each : tools) box = united(box, each.box);
+    return box;
+  }
+
+  Reach reachOf(const KeyBox& tools) const {
+    if (!fluid()) return connectedClay<Side>(*edit, tools);
+    const auto margin = static_cast<std::int32_t>(kFluidReach * radius()) + 8;
+    if (connectedClay<Side>(*edit, tools).box.empty()) return {};
+    return {grown(tools, margin), false};
+  }
+
+  // Loads another region where the tool, or the clay, leaves the one there is.
+  void lookAround(const std::vector<PlacedTool>& tools) {
+    const KeyBox box = boxOf(tools);
+    KeyBox needed = box;
+    if (fluid()) needed = grown(box, static_cast<std::int32_t>(kFluidReach * radius()));
+    if (region && within(needed, region->inner()) && !(whole && region->reachesRim())) return;
+    load(reachOf(box), needed);
+  }
+
+  // The tool has met clay: another piece than before, perhaps, that goes on beyond the region.
+  void lookAgain(const std::vector<PlacedTool>& tools) {
+    if (fluid() || !whole) return;
+    storeRegion();
+    const Reach reach = reachOf(boxOf(tools));
+    if (!within(reach.box, region->inner())) load(reach, boxOf(tools));
+  }
+
+  void storeRegion() {
+    if (!region) return;
+    const auto keys = clay::store<Side>(*region, *edit);
+    changed.insert(changed.end(), keys.begin(), keys.end());
+  }
+
+  void load(const Reach& reach, const KeyBox& needed) {
+    storeRegion();
+    if (reach.box.empty()) {
+      region.reset();
+      return;
+    }
+    whole = reach.whole;
+    Region next(tileBox(united(reach.box, needed), 1 + (whole ? kRoom : kSlack)));
+    clay::load<Side>(next, *edit);
+    stepper.begin(next, supports);
+    if (region) keepPressure(*region, next);
+    region.emplace(std::move(next));
+  }
+
+  bool touches(const std::vector<PlacedTool>& tools) const {
+    return std::any_of(tools.begin(), tools.end(),
+                       [&](const PlacedTool& each) { return touchesClay(*region, each); });
+  }
+
+  // Only what a tool moves since contact counts (Dewaele §3.1): where in the step that began.
+  double contactIn(double before, double now) const {
+    for (int n = 0; n < 4; ++n) {
+      const double middle = 0.5 * (before + now);
+      (touches(toolsAt(middle, middle)) ? now : before) = middle;
+    }
+    return before;
+  }
+
+  StepReport step(std::int64_t n) {
+    StepReport report;
+    const auto now = static_cast<double>(n);
+    double before = std::max(0.0, now - 1);
+    std::vector<PlacedTool> tools = toolsAt(before, now);
+    lookAround(tools);
+    if (!region) return report;
+    const bool touched = touching;
+    touching = touches(tools);
+    if (!touching) return report;
+    if (!touched) lookAgain(tools);
+    if (!touched && n > 0) tools = toolsAt(contactIn(before, now), now);
+    run(tools, n, report);
+    return report;
+  }
+
+  void run(const std::vector<PlacedTool>& tools, std::int64_t n, StepReport& report) {
+    Work work{*region, tools, supports, origin, setup.settings, iso, n, report};
+    stepper.step(work);
+  }
+};
+
+template <int Side>
+ClayStroke<Side>::ClayStroke(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
+                             const ToolShape& tool, Role role, const Stroke& stroke,
+                             const Setup& setup) {
+  clay::requireValid(setup.settings);
+  for (const Support& support : setup.supports) clay::requireValid(support);
+  requireSound(stroke);
+  state_ = std::make_unique<State>(edit, scale, setup);
+  const FittedTool fitted = fitTool(tool, scale.spacing);
+  state_->tool = fitted.shape;
+  state_->tool.radii /= scale.spacing;
+  state_->notice = fitted.notice;
+  state_->role = role;
+  state_->origin = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
+  state_->images = imagesOf(stroke.symmetry);
+  state_->centre = relativeTo(state_->origin, stroke.symmetry.centre, scale.spacing);
+  std::vector<Pose> poses;
+  for (std::size_t n = 0; n < stroke.points.size(); ++n) {
+    cellOf(stroke.points[n].position, scale.spacing, "stroke point");
+    poses.push_back({relativeTo(state_->origin, stroke.points[n].position, scale.spacing),
+                     stroke.rotations.empty() ? glm::dquat(1, 0, 0, 0)
+                                              : normalisedRotation(stroke.rotations[n])});
+  }
+  state_->path.emplace(poses, glm::length(state_->tool.radii), kStepCells);
+  const double steps = state_->path->count() + 1;
+  if (!(steps <= static_cast<double>(kMostDabs)))
+    throw Error("stroke: " + std::to_string(steps) + " steps found, at most 10 million expected");
+  state_->count = static_cast<std::int64_t>(steps);
+  for (const Pose& pose : poses) dabBox(state_->dabPose(pose));
+}
+
+template <int Side>
+ClayStroke<Side>::~ClayStroke() = default;
+
+template <int Side>
+std::int64_t ClayStroke<Side>::stepCount() const {
+  return state_->count;
+}
+
+template <int Side>
+const std::string& ClayStroke<Side>::notice() const {
+  return state_->notice;
+}
+
+template <int Side>
+StepReport ClayStroke<Side>::step(std::int64_t n) {
+  return state_->step(n);
+}
+
+template <int Side>
+std::vector<KeyRun> ClayStroke<Side>::store() {
+  state_->storeRegion();
+  std::vector<KeyRun> changed;
+  changed.swap(state_->changed);
+  std::sort(changed.begin(), changed.end(),
+            [](const KeyRun& a, const KeyRun& b) { return a.key < b.key; });
+  const auto same = [](const KeyRun& a, const KeyRun& b) { return a.key == b.key; };
+  changed.erase(std::unique(changed.begin(), changed.end(), same), changed.end());
+  return changed;
+}
+
+template class ClayStroke<1>;
+template class ClayStroke<8>;
+
+template <int Side>
+std::vector<KeyRun> relax(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
+                          const Setup& setup, int steps) {
+  requireValid(setup.settings);
+  for (const Support& support : setup.supports) requireValid(support);
+  const Reach reach = allClay<Side>(edit);
+  if (reach.box.empty()) return {};
+  if (!reach.whole)
+    throw Error("relax: more clay found than the working set of 16 million cells can hold");
+  Region region(tileBox(reach.box, 1 + kRoom));
+  load<Side>(region, edit);
+  Stepper stepper(setup.settings);
+  const auto supports = placeSupports(setup.supports, scale.spacing);
+  stepper.begin(region, supports);
+  const std::vector<PlacedTool> none;
+  for (int n = 0; n < steps; ++n) {
+    StepReport report;
+    Work work{region, none, supports, {}, setup.settings, scale.iso, n, report};
+    stepper.step(work);
+  }
+  return store<Side>(region, edit);
+}
+
+template std::vector<KeyRun> relax(Edit<CornerBlock<1>>&, const FieldScale&, const Setup&, int);
+template std::vector<KeyRun> relax(Edit<CornerBlock<8>>&, const FieldScale&, const Setup&, int);
+
+}  // namespace bozzetto::clay

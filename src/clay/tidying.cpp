@@ -1,0 +1,159 @@
+#include "clay/tidying.hpp"
+
+#include <algorithm>
+
+namespace bozzetto::clay {
+namespace {
+
+constexpr float kDust = 0.05f, kFaint = 1e-3f, kDense = 0.5f;
+constexpr int kFarthestClay = 40;  // cells a crumb may be away from what eats it
+
+// The neighbour that a cell of dust joins, as 1 + direction; 0 for none. Ties go to the first.
+std::uint8_t refuge(const Region& region, std::size_t cell) {
+  const float own = region.value[cell];
+  if (own <= 0 || own >= kDust || region.hold[cell] == kFixed) return 0;
+  float densest = own;
+  std::uint8_t best = 0;
+  for (std::uint8_t way = 0; way < 6; ++way) {
+    const std::size_t next = cell + region.neighbours()[way];
+    if (region.hold[next] == kFixed || region.cover[next] > 0 || region.value[next] <= densest)
+      continue;
+    densest = region.value[next];
+    best = static_cast<std::uint8_t>(way + 1);
+  }
+  return densest < kDense || own < kFaint ? best : 0;
+}
+
+bool anyDust(const float* value, int count) {
+  int dust = 0;
+  for (int n = 0; n < count; ++n) dust += value[n] > 0 && value[n] < kDust ? 1 : 0;
+  return dust > 0;
+}
+
+// Gathers from the six neighbours what joins this cell, or gives all away.
+void gather(Region& region, std::size_t cell) {
+  const float own = region.mark[cell] == 0 ? region.value[cell] : 0.0f;
+  float sum = own;
+  for (std::uint8_t way = 0; way < 6; ++way) {
+    const std::size_t from = cell - region.neighbours()[way];
+    if (region.mark[from] == way + 1) sum += region.value[from];
+  }
+  region.scratch[cell] = sum;
+}
+
+void gatherColour(Region& region, Cells<float>& channel, std::size_t cell) {
+  const float own = region.mark[cell] == 0 ? region.value[cell] : 0.0f;
+  float mass = own, sum = own * channel[cell];
+  for (std::uint8_t way = 0; way < 6; ++way) {
+    const std::size_t from = cell - region.neighbours()[way];
+    if (region.mark[from] != way + 1) continue;
+    mass += region.value[from];
+    sum += region.value[from] * channel[from];
+  }
+  region.scratch2[cell] = mass > 0 ? sum / mass : channel[cell];
+}
+
+}  // namespace
+
+void sweepDust(Work& work) {
+  Region& region = work.region;
+  forRows(region.rows(), [&](const Row& row) {
+    const bool any = anyDust(&region.value[row.base], row.count);
+    for (std::size_t n = row.base; n < row.base + row.count; ++n)
+      region.mark[n] = any ? refuge(region, n) : std::uint8_t{0};
+  });
+  if (region.colour[0])
+    for (auto& channel : region.colour) {
+      forRows(region.rows(), [&](const Row& row) {
+        for (std::size_t n = row.base; n < row.base + row.count; ++n)
+          gatherColour(region, channel, n);
+      });
+      forRows(region.rows(), [&](const Row& row) {
+        std::copy_n(&region.scratch2[row.base], row.count, &channel[row.base]);
+      });
+    }
+  forRows(region.rows(), [&](const Row& row) {
+    for (std::size_t n = row.base; n < row.base + row.count; ++n) gather(region, n);
+  });
+  forRows(region.rows(), [&](const Row& row) {
+    std::copy_n(&region.scratch[row.base], row.count, &region.value[row.base]);
+    std::fill_n(&region.mark[row.base], row.count, std::uint8_t{0});
+  });
+}
+
+// A piece that no rim cuts and that is not held.
+bool CrumbEater::isWhole(const Region& region, std::uint32_t piece) const {
+  for (const Pieces::Run& run : pieces_.runs()) {
+    if (run.root != piece) continue;
+    for (std::size_t cell = run.base; cell < run.base + run.count; ++cell) {
+      if (region.hold[cell] == kFixed) return false;
+      for (const std::ptrdiff_t step : region.neighbours())
+        if (region.owner[cell + step] == kRim && region.value[cell + step] > 0) return false;
+    }
+  }
+  return true;
+}
+
+// Ring by ring; in a ring the smallest key.
+std::size_t CrumbEater::nearestClay(const Work& work, std::uint32_t piece) {
+  Region& region = work.region;
+  std::vector<std::uint32_t> seen = crumb_;
+  for (const std::uint32_t cell : seen) region.mark2[cell] = 1;
+  ring_ = crumb_;
+  std::size_t found = 0;
+  for (int n = 0; n < kFarthestClay && found == 0 && !ring_.empty(); ++n) {
+    next_.clear();
+    for (const std::uint32_t cell : ring_)
+      for (const std::ptrdiff_t step : region.neighbours()) {
+        const std::size_t next = cell + step;
+        if (region.mark2[next] != 0 || region.hold[next] == kFixed) continue;
+        region.mark2[next] = 1;
+        next_.push_back(static_cast<std::uint32_t>(next));
+        if (region.value[next] >= work.iso && pieces_.pieceAt(next) != piece &&
+            (found == 0 || next < found))
+          found = next;
+      }
+    seen.insert(seen.end(), next_.begin(), next_.end());
+    ring_.swap(next_);
+  }
+  for (const std::uint32_t cell : seen) region.mark2[cell] = 0;
+  return found;
+}
+
+void CrumbEater::eat(Work& work, std::uint32_t piece) {
+  Region& region = work.region;
+  crumb_.clear();
+  for (const Pieces::Run& run : pieces_.runs())
+    if (run.root == piece)
+      for (std::int32_t n = 0; n < run.count; ++n)
+        crumb_.push_back(static_cast<std::uint32_t>(run.base + n));
+  const std::size_t target = nearestClay(work, piece);
+  if (target == 0) return;
+  for (const std::uint32_t cell : crumb_) {
+    for (const std::ptrdiff_t step : region.neighbours()) {
+      const std::size_t fringe = cell + step;
+      if (region.value[fringe] >= work.iso || region.hold[fringe] == kFixed) continue;
+      bool touches = false;
+      for (const std::ptrdiff_t other : region.neighbours())
+        touches = touches || (region.value[fringe + other] >= work.iso &&
+                              region.owner[fringe + other] != kRim &&
+                              pieces_.pieceAt(fringe + other) != piece);
+      if (!touches && fringe != target) region.carry(fringe, target, region.value[fringe]);
+    }
+  }
+  for (const std::uint32_t cell : crumb_) region.carry(cell, target, region.value[cell]);
+  ++work.report.crumbs;
+}
+
+void CrumbEater::run(Work& work) {
+  if (work.settings.crumb <= 1) return;
+  pieces_.find(work.region, work.iso);
+  const auto& runs = pieces_.runs();
+  cellsOf_.assign(runs.size(), 0);
+  for (const Pieces::Run& run : runs) cellsOf_[run.root] += run.count;
+  for (std::uint32_t n = 0; n < runs.size(); ++n)
+    if (runs[n].root == n && cellsOf_[n] < work.settings.crumb && isWhole(work.region, n))
+      eat(work, n);
+}
+
+}  // namespace bozzetto::clay

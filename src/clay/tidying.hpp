@@ -1,0 +1,27 @@
+// Keeps clay compact (Dewaele §3.3; clay.md §3.5, 3.6): no dust that a sparse tree would have to
+// store for ever, no crumbs of a few cells.
+#pragma once
+#include "clay/layer.hpp"
+#include "clay/pieces.hpp"
+
+namespace bozzetto::clay {
+
+/// Cells of less than 0.05 that have no dense neighbour join their densest one.
+void sweepDust(Work& work);
+
+class CrumbEater {
+ public:
+  /// Pieces of fewer than `settings.crumb` cells become excess of the nearest dense cell.
+  void run(Work& work);
+
+ private:
+  void eat(Work& work, std::uint32_t piece);
+  bool isWhole(const Region& region, std::uint32_t piece) const;
+  std::size_t nearestClay(const Work& work, std::uint32_t piece);
+
+  Pieces pieces_;
+  std::vector<std::int32_t> cellsOf_;
+  std::vector<std::uint32_t> crumb_, ring_, next_;
+};
+
+}  // namespace bozzetto::clay

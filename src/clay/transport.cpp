@@ -1,0 +1,161 @@
+#include "clay/transport.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clay/thinc.hpp"
+
+namespace bozzetto::clay {
+namespace {
+
+constexpr int kPiece = 256;  // cells of a row at a time: local arrays stay in the cache
+
+struct RowSource {
+  const float* v;
+  std::ptrdiff_t along;     // to the next cell of the axis in question
+  std::ptrdiff_t other[2];  // to the next cells of the other axes
+};
+
+BOZZETTO_KERNEL float sizeOf(float x) {
+  return std::bit_cast<float>(std::bit_cast<std::int32_t>(x) & 0x7fffffff);
+}
+
+// How squarely the surface faces the axis: ±|g_a| / (|g_x| + |g_y| + |g_z|), positive where density
+// rises along it.
+BOZZETTO_KERNEL void slopes(const RowSource& row, int count, float* slope) {
+  const float* v = row.v;
+  for (int n = 0; n < count; ++n) {
+    const float a = v[n + row.along] - v[n - row.along];
+    const float b = v[n + row.other[0]] - v[n - row.other[0]];
+    const float c = v[n + row.other[1]] - v[n - row.other[1]];
+    slope[n] = a / (((sizeOf(a) + sizeOf(b)) + sizeOf(c)) + 1e-9f);
+  }
+}
+
+// Flux through a face out of a donor: THINC as far as the surface faces the axis, upwind for the
+// rest (clay.md §3.4). `back` is what may leave the donor through its other side.
+BOZZETTO_KERNEL float fluxOut(float density, float slope, float u, float back) {
+  const float up = density * u;
+  const float inside = density < 0.9999f ? density : 0.9999f;
+  const float sharp = thincFlux(inside > 1e-4f ? inside : 1e-4f, u, slope > 0 ? 1.0f : -1.0f);
+  const float weight = sizeOf(slope);
+  const bool mixed = density > 1e-5f && density < 1.0f - 1e-5f;
+  const float blend = mixed ? up + weight * (sharp - up) : up;
+  const float most = back > 0 ? density * (u / (u + back)) - kQuantum : density;
+  const float limited = blend < most ? blend : most;
+  return limited > 0 ? limited : 0.0f;
+}
+
+struct FluxRow {
+  RowSource source;
+  const float* face;
+  float* flux;
+  int count;
+};
+
+BOZZETTO_KERNEL void fluxKernel(const FluxRow& row) {
+  float own[kPiece], next[kPiece];
+  slopes(row.source, row.count, own);
+  const std::ptrdiff_t along = row.source.along;
+  slopes({row.source.v + along, along, {row.source.other[0], row.source.other[1]}}, row.count,
+         next);
+  const float* v = row.source.v;
+  for (int n = 0; n < row.count; ++n) {
+    const float u = row.face[n];
+    const bool forward = u > 0;
+    const float density = forward ? v[n] : v[n + along];
+    const float slope = forward ? own[n] : -next[n];
+    const float other = forward ? -row.face[n - along] : row.face[n + along];
+    const float out = fluxOut(density, slope, sizeOf(u), other > 0 ? other : 0.0f);
+    const float whole = quantised(out);
+    const float kept = whole < density ? whole : density;
+    row.flux[n] = forward ? kept : -kept;
+  }
+}
+
+BOZZETTO_SIMD_DISPATCH(void, fluxRow, fluxKernel, (const FluxRow& row), (row))
+
+bool still(const float* face, int count) {
+  float most = 0;
+  for (int n = 0; n < count; ++n) most = std::max(most, std::abs(face[n]));
+  return most == 0;
+}
+
+void findFluxes(Region& region, std::size_t axis) {
+  const auto& step = region.strides();
+  forRows(region.rows(), [&](const Row& row) {
+    for (std::int32_t at = 0; at < row.count; at += kPiece) {
+      const std::size_t first = row.base + at;
+      const int count = std::min(kPiece, row.count - at);
+      if (still(&region.face[axis][first], count)) {
+        std::fill_n(&region.flux[first], count, 0.0f);
+        continue;
+      }
+      fluxRow({{&region.value[first], step[axis], {step[(axis + 1) % 3], step[(axis + 2) % 3]}},
+               &region.face[axis][first],
+               &region.flux[first],
+               count});
+    }
+  });
+}
+
+// The colour that crosses a face: the donor's, bent towards its neighbours by a limiter (superbee)
+// so that borders between colours stay sharp.
+float colourAcross(const Region& region, const Cells<float>& c, std::size_t donor,
+                   std::ptrdiff_t ahead) {
+  const float here = c[donor], u = 0.5f;
+  if (region.value[donor + ahead] <= 0 || region.value[donor - ahead] <= 0) return here;
+  const float forward = c[donor + ahead] - here, behind = here - c[donor - ahead];
+  if (forward * behind <= 0) return here;
+  const float r = behind / forward;
+  const float limiter = std::max(std::min(2 * r, 1.0f), std::min(r, 2.0f));
+  return here + 0.5f * (1 - u) * limiter * forward;
+}
+
+// New colour = matter-weighted mean of what stays and what comes.
+void moveColours(Region& region, std::size_t axis) {
+  const std::ptrdiff_t step = region.strides()[axis];
+  for (auto& channel : region.colour) {
+    forRows(region.rows(), [&](const Row& row) {
+      for (std::size_t n = row.base; n < row.base + row.count; ++n) {
+        const float in = region.flux[n - step], out = region.flux[n];
+        region.scratch[n] = channel[n];
+        if (in == 0 && out == 0) continue;
+        const auto carried = [&](float flux, std::size_t from, std::size_t to) {
+          const std::size_t donor = flux > 0 ? from : to;
+          return flux * colourAcross(region, channel, donor, flux > 0 ? step : -step);
+        };
+        const float before = region.value[n], after = before + in - out;
+        const float sum =
+            before * channel[n] + carried(in, n - step, n) - carried(out, n, n + step);
+        if (after > 0) region.scratch[n] = std::clamp(sum / after, 0.0f, 255.0f);
+      }
+    });
+    forRows(region.rows(), [&](const Row& row) {
+      std::copy_n(&region.scratch[row.base], row.count, &channel[row.base]);
+    });
+  }
+}
+
+void moveMatter(Region& region, std::size_t axis) {
+  const std::ptrdiff_t step = region.strides()[axis];
+  forRows(region.rows(), [&](const Row& row) {
+    const float* flux = &region.flux[row.base];
+    float* value = &region.value[row.base];
+    for (std::ptrdiff_t n = 0; n < row.count; ++n) value[n] += flux[n - step] - flux[n];
+  });
+}
+
+}  // namespace
+
+void transport(Work& work) {
+  Region& region = work.region;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t axis = work.step % 2 == 0 ? n : 2 - n;
+    findFluxes(region, axis);
+    if (region.colour[0]) moveColours(region, axis);
+    moveMatter(region, axis);
+  }
+}
+
+}  // namespace bozzetto::clay
