@@ -33,7 +33,7 @@ void meanAlong(const Region& region, const Cells<float>& in, Cells<float>& out,
 // about: then what is thin parts first.
 void Displacement::findCosts(Work& work) {
   Region& region = work.region;
-  const bool tension = work.has(LayerKind::tension);
+  const bool tension = false;
   if (tension) {
     forRows(region.rows(), [&](const Row& row) {
       for (std::size_t n = row.base; n < row.base + row.count; ++n)
