@@ -85,12 +85,11 @@ void Clearing::run(Work& work, int sweeps) {
     ways_.clear();
     next_.clear();
     for (const std::uint32_t cell : now_) {
-      std::uint8_t ways = waysFrom(work, cell);
-      if (ways == 0) ways = openWays(region, cell);
-      if (ways == 0)
+      const std::uint8_t out = ways(work, cell);
+      if (out == 0)
         ways_.push_back(0), share_.push_back(0);
       else
-        give(region, cell, ways);
+        give(region, cell, out);
     }
     for (std::size_t n = 0; n < now_.size(); ++n)
       for (int way = 0; way < 6; ++way)
@@ -104,6 +103,15 @@ void Clearing::run(Work& work, int sweeps) {
     std::erase_if(next_, [&](std::uint32_t cell) { return !holdsTooMuch(region, cell); });
     now_.swap(next_);
   }
+  forget(region);
+}
+
+std::uint8_t Clearing::ways(const Work& work, std::size_t cell) {
+  const std::uint8_t outward = waysFrom(work, cell);
+  return outward != 0 ? outward : openWays(work.region, cell);
+}
+
+void Clearing::forget(Region& region) {
   for (const std::uint32_t cell : known_) region.mark[cell] = 0;
   known_.clear();
 }

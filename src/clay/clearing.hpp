@@ -13,6 +13,12 @@ class Clearing {
   /// Jacobi sweeps over the cells that hold too much, at most `sweeps`.
   void run(Work& work, int sweeps = 64);
 
+  /// Directions that matter in a cell of a tool may take: outwards, not into held clay, not into
+  /// cells that are deeper; where none is left, any that is not held or deeper.
+  std::uint8_t ways(const Work& work, std::size_t cell);
+  /// Forgets the ways found since the last call: tools have moved.
+  void forget(Region& region);
+
  private:
   void findExcess(const Region& region);
   std::uint8_t waysFrom(const Work& work, std::size_t cell);

@@ -37,7 +37,7 @@ float PlacedTool::cover(Key key) const {
   return sharpened(value);
 }
 
-std::uint8_t PlacedTool::waysOut(Key key) const {
+glm::dvec3 PlacedTool::normal(Key key) const {
   const Key local = key - solid->cell;
   const glm::dvec3 place(local.i, local.j, local.k);
   glm::dvec3 slope;
@@ -47,12 +47,24 @@ std::uint8_t PlacedTool::waysOut(Key key) const {
     slope[axis] = solid->distance(place + step) - solid->distance(place - step);
   }
   const double length = glm::length(slope);
+  return length > 0 ? slope / length : glm::dvec3(0, 1, 0);
+}
+
+std::uint8_t PlacedTool::waysOut(Key key) const {
+  const glm::dvec3 out = normal(key);
   std::uint8_t ways = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    if (slope[axis] >= 0.5 * length) ways |= static_cast<std::uint8_t>(1 << 2 * axis);
-    if (slope[axis] <= -0.5 * length) ways |= static_cast<std::uint8_t>(2 << 2 * axis);
+    if (out[axis] >= 0.5) ways |= static_cast<std::uint8_t>(1 << 2 * axis);
+    if (out[axis] <= -0.5) ways |= static_cast<std::uint8_t>(2 << 2 * axis);
   }
   return ways;
+}
+
+float PlacedTool::swelling(Key key) const {
+  const Key local = key - solid->cell;
+  const double depth = -solid->distance(glm::dvec3(local.i, local.j, local.k)) / smallest;
+  const double p = std::clamp(depth, 0.0, 1.0);
+  return static_cast<float>(strength * p * p * (3 - 2 * p));
 }
 
 void CoverPainter::paintStatic(Region& region, const std::vector<PlacedTool>& supports) {
@@ -79,7 +91,8 @@ void CoverPainter::paintMoving(Region& region, const std::vector<PlacedTool>& mo
   }
   before_.clear();
   for (std::size_t n = 0; n < moving.size(); ++n)
-    paint(region, moving[n], static_cast<std::uint8_t>(kMoving + n));
+    if (moving[n].role != Role::swell)
+      paint(region, moving[n], static_cast<std::uint8_t>(kMoving + n));
 }
 
 void CoverPainter::paint(Region& region, const PlacedTool& tool, std::uint8_t owner) {

@@ -23,14 +23,19 @@ struct PlacedTool {
   KeyBox box;  ///< corners it may cover
   Role role = Role::push;
   Motion motion;
-  double radius = 1;  ///< the largest, in cells
+  double radius = 1, smallest = 1;  ///< the largest and the smallest, in cells
 
-  bool moving() const { return role != Role::support; }
+  float strength = 0;  ///< of swelling
+
   /// Part of the cell that the tool takes, 0 … 1 over one cell across its surface.
   float cover(Key key) const;
   /// Bits of the directions that lead out of the tool at this cell, within 60° of the way to its
   /// surface (Dewaele §3.2.2). Bit n is neighbours()[n].
   std::uint8_t waysOut(Key key) const;
+  /// Outwards, of length 1.
+  glm::dvec3 normal(Key key) const;
+  /// How much a swelling tool lowers what a cell may hold: its strength at the core, 0 outside.
+  float swelling(Key key) const;
 };
 
 /// Keeps `cover` and `owner` of a region: static tools once, moving tools anew each step.

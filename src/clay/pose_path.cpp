@@ -16,17 +16,23 @@ double angleBetween(const glm::dquat& a, const glm::dquat& b) {
 }  // namespace
 
 PosePath::PosePath(std::vector<Pose> poses, double radius, double step)
-    : poses_(std::move(poses)), step_(step) {
-  double sum = 0;
-  for (std::size_t n = 0; n < poses_.size(); ++n) {
-    if (n > 0) {
-      const Pose &a = poses_[n - 1], &b = poses_[n];
-      const double angle = angleBetween(a.rotation, b.rotation);
-      const double turned = angle > 1e-7 ? angle * radius : 0.0;
-      sum += glm::length(b.position - a.position) + turned;
-    }
-    distance_.push_back(sum);
+    : radius_(radius), step_(step) {
+  for (const Pose& pose : poses) append(pose);
+}
+
+void PosePath::append(const Pose& pose) {
+  double distance = 0;
+  if (!poses_.empty()) {
+    const double angle = angleBetween(poses_.back().rotation, pose.rotation);
+    const double turned = angle > 1e-7 ? angle * radius_ : 0.0;
+    distance = distance_.back() + glm::length(pose.position - poses_.back().position) + turned;
   }
+  poses_.push_back(pose);
+  distance_.push_back(distance);
+}
+
+double PosePath::sure() const {
+  return std::floor(rounded(distance_.back(), 0x1p-16) / step_ + 1e-6);
 }
 
 double PosePath::count() const {

@@ -15,8 +15,12 @@ class PosePath {
  public:
   /// Steps of `step` cells of the fastest point of a tool of this radius; the last may be shorter.
   PosePath(std::vector<Pose> poses, double radius, double step);
+  void append(const Pose& pose);
+  const glm::dquat& lastRotation() const { return poses_.back().rotation; }
   /// Steps after the first pose, as a double because it may be absurd.
   double count() const;
+  /// How many of these stay as they are however the way goes on.
+  double sure() const;
   /// The pose after `steps` steps, a fraction too; rounded so that more points on the same way
   /// change no bit.
   Pose at(double steps) const;
@@ -24,7 +28,7 @@ class PosePath {
  private:
   std::vector<Pose> poses_;
   std::vector<double> distance_;
-  double step_;
+  double radius_, step_;
 };
 
 }  // namespace bozzetto::clay

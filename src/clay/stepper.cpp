@@ -1,7 +1,10 @@
 #include "clay/stepper.hpp"
 
+#include "clay/automaton.hpp"
 #include "clay/clearing.hpp"
+#include "clay/diffusion.hpp"
 #include "clay/displacement.hpp"
+#include "clay/paper.hpp"
 #include "clay/projection.hpp"
 #include "clay/tidying.hpp"
 #include "clay/transport.hpp"
@@ -26,26 +29,40 @@ class Conservation final : public Layer {
 
 class Tension final : public Layer {
  public:
+  explicit Tension(Scheme scheme) : scheme_(scheme) {}
   void run(Work& work) override {
-    sweepDust(work);
+    if (scheme_ == Scheme::paper)
+      paper_.run(work);
+    else
+      sweepDust(work);
     if (work.step % kCrumbInterval == kCrumbInterval - 1) crumbs_.run(work);
   }
 
  private:
+  Scheme scheme_;
+  PaperTension paper_;
   CrumbEater crumbs_;
 };
 
 }  // namespace
 
-std::unique_ptr<Layer> makeLayer(LayerKind kind, Scheme) {
+std::unique_ptr<Layer> makeLayer(LayerKind kind, Scheme scheme) {
+  const bool paper = scheme == Scheme::paper;
   switch (kind) {
     case LayerKind::displacement:
+      if (paper) return std::make_unique<PaperDisplacement>();
       return std::make_unique<Displacement>();
     case LayerKind::conservation:
+      if (paper) return std::make_unique<PaperConservation>();
       return std::make_unique<Conservation>();
-    default:
-      return std::make_unique<Tension>();
+    case LayerKind::tension:
+      return std::make_unique<Tension>(scheme);
+    case LayerKind::diffusion:
+      return std::make_unique<Diffusion>();
+    case LayerKind::automaton:
+      return std::make_unique<Automaton>();
   }
+  return nullptr;
 }
 
 Stepper::Stepper(const Settings& settings) {
@@ -67,6 +84,7 @@ void Stepper::step(Work& work) {
   }
   region.refreshRows();
   work.report.clayCells = region.clayCells();
+  for (const Row& row : region.rows()) work.report.cells += row.count;
 }
 
 }  // namespace bozzetto::clay

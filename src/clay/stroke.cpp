@@ -26,6 +26,7 @@ PlacedTool place(Shape shape, const DabPose& pose, Role role) {
   tool.box = grown(dabBox(pose), 1);
   tool.role = role;
   tool.radius = std::max({pose.radii.x, pose.radii.y, pose.radii.z});
+  tool.smallest = std::min({pose.radii.x, pose.radii.y, pose.radii.z});
   return tool;
 }
 
@@ -66,6 +67,12 @@ void keepPressure(const Region& from, Region& to) {
     }
 }
 
+// Swelling is the automaton's, whatever layers run when clay is pushed.
+Setup setupFor(const Doing& doing, Setup setup) {
+  if (doing.role == Role::swell) setup.settings.layers = {LayerKind::automaton};
+  return setup;
+}
+
 void requireSound(const Stroke& stroke) {
   if (stroke.points.empty()) throw Error("stroke: no points found, at least one expected");
   if (!stroke.rotations.empty() && stroke.rotations.size() != stroke.points.size()) {
@@ -90,27 +97,30 @@ template <int Side>
 struct ClayStroke<Side>::State {
   Edit<CornerBlock<Side>>* edit;
   Setup setup;
+  double spacing;
+  Doing doing;
   float iso;
-  Role role;
   ToolShape tool;  // radii in cells
   std::string notice;
   Key origin;
   std::vector<glm::dmat3> images;
   glm::dvec3 centre{0};
   std::optional<PosePath> path;
-  std::int64_t count = 0;
   std::vector<PlacedTool> supports;
   Stepper stepper;
   std::optional<Region> region;
   bool whole = true, touching = false;
   std::vector<KeyRun> changed;  // by what was stored between two calls of store()
 
-  State(Edit<CornerBlock<Side>>& edit_, const FieldScale& scale, const Setup& setup_)
+  State(Edit<CornerBlock<Side>>& edit_, const FieldScale& scale, const Doing& doing_,
+        const Setup& setup_)
       : edit(&edit_),
-        setup(setup_),
+        setup(setupFor(doing_, setup_)),
+        spacing(scale.spacing),
+        doing(doing_),
         iso(scale.iso),
         supports(placeSupports(setup_.supports, scale.spacing)),
-        stepper(setup_.settings) {}
+        stepper(setup.settings) {}
 
   bool fluid() const {
     const auto& layers = setup.settings.layers;
@@ -124,6 +134,20 @@ struct ClayStroke<Side>::State {
     return {origin, pose.position, glm::mat3_cast(pose.rotation * tool.rotation), tool.radii};
   }
 
+  // Checks it, and that the tool has room there.
+  Pose poseOf(const StrokePoint& point, const glm::dquat& rotation) const {
+    cellOf(point.position, spacing, "stroke point");
+    const Pose pose{relativeTo(origin, point.position, spacing), normalisedRotation(rotation)};
+    dabBox(dabPose(pose));
+    return pose;
+  }
+
+  void requireCount(const PosePath& way) const {
+    if (way.count() < static_cast<double>(kMostDabs)) return;
+    throw Error("stroke: " + std::to_string(way.count()) +
+                " steps found, at most 10 million expected");
+  }
+
   // The tool and its images after `now` steps, moved since `before`.
   std::vector<PlacedTool> toolsAt(double before, double now) const {
     const Pose from = path->at(before), to = path->at(now);
@@ -134,11 +158,12 @@ struct ClayStroke<Side>::State {
       DabPose pose = dabPose(to);
       pose.position = centre + image * (to.position - centre);
       pose.orientation = image * pose.orientation;
-      PlacedTool placed = place(tool.shape, pose, role);
+      PlacedTool placed = place(tool.shape, pose, doing.role);
       const glm::dmat3 turned = image * turn * glm::transpose(image);
       const glm::dvec3 start = centre + image * (from.position - centre);
       placed.motion.turn = turned - glm::dmat3(1);
       placed.motion.shift = pose.position - turned * start;
+      placed.strength = static_cast<float>(doing.strength);
       tools.push_back(std::move(placed));
     }
     return tools;
@@ -232,33 +257,34 @@ struct ClayStroke<Side>::State {
 
 template <int Side>
 ClayStroke<Side>::ClayStroke(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
-                             const ToolShape& tool, Role role, const Stroke& stroke,
+                             const ToolShape& tool, const Doing& doing, const Stroke& stroke,
                              const Setup& setup) {
   clay::requireValid(setup.settings);
   for (const Support& support : setup.supports) clay::requireValid(support);
   requireSound(stroke);
-  state_ = std::make_unique<State>(edit, scale, setup);
+  state_ = std::make_unique<State>(edit, scale, doing, setup);
   const FittedTool fitted = fitTool(tool, scale.spacing);
   state_->tool = fitted.shape;
   state_->tool.radii /= scale.spacing;
   state_->notice = fitted.notice;
-  state_->role = role;
   state_->origin = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
   state_->images = imagesOf(stroke.symmetry);
   state_->centre = relativeTo(state_->origin, stroke.symmetry.centre, scale.spacing);
   std::vector<Pose> poses;
-  for (std::size_t n = 0; n < stroke.points.size(); ++n) {
-    cellOf(stroke.points[n].position, scale.spacing, "stroke point");
-    poses.push_back({relativeTo(state_->origin, stroke.points[n].position, scale.spacing),
-                     stroke.rotations.empty() ? glm::dquat(1, 0, 0, 0)
-                                              : normalisedRotation(stroke.rotations[n])});
-  }
+  for (std::size_t n = 0; n < stroke.points.size(); ++n)
+    poses.push_back(state_->poseOf(
+        stroke.points[n], stroke.rotations.empty() ? glm::dquat(1, 0, 0, 0) : stroke.rotations[n]));
   state_->path.emplace(poses, glm::length(state_->tool.radii), kStepCells);
-  const double steps = state_->path->count() + 1;
-  if (!(steps <= static_cast<double>(kMostDabs)))
-    throw Error("stroke: " + std::to_string(steps) + " steps found, at most 10 million expected");
-  state_->count = static_cast<std::int64_t>(steps);
-  for (const Pose& pose : poses) dabBox(state_->dabPose(pose));
+  state_->requireCount(*state_->path);
+}
+
+template <int Side>
+void ClayStroke<Side>::extend(std::span<const StrokePoint> points) {
+  PosePath longer = *state_->path;
+  for (const StrokePoint& point : points)
+    longer.append(state_->poseOf(point, longer.lastRotation()));
+  state_->requireCount(longer);
+  state_->path = longer;
 }
 
 template <int Side>
@@ -266,7 +292,12 @@ ClayStroke<Side>::~ClayStroke() = default;
 
 template <int Side>
 std::int64_t ClayStroke<Side>::stepCount() const {
-  return state_->count;
+  return static_cast<std::int64_t>(state_->path->count()) + 1;
+}
+
+template <int Side>
+std::int64_t ClayStroke<Side>::sureSteps() const {
+  return static_cast<std::int64_t>(state_->path->sure()) + 1;
 }
 
 template <int Side>

@@ -48,9 +48,26 @@ PressureTargets readPressureTargets(JsonObject& object) {
   return targets;
 }
 
+std::vector<glm::dquat> readRotations(JsonObject& object) {
+  std::vector<glm::dquat> rotations;
+  if (!object.has("rotations")) return rotations;
+  const Json& lists = object.required("rotations");
+  if (!lists.is_array()) object.fail("rotations", "a list of rotations, one a point");
+  for (const Json& list : lists) {
+    if (!list.is_array() || list.size() != 4)
+      object.fail("'rotations': each has 4 numbers: w, x, y, z");
+    const auto number = [&](std::size_t n) { return object.toNumber(list[n], "rotations"); };
+    rotations.push_back({number(0), number(1), number(2), number(3)});
+  }
+  return rotations;
+}
+
 StrokeOperation readStroke(JsonObject& object) {
   Stroke stroke;
   stroke.points = readPoints(object);
+  stroke.rotations = readRotations(object);
+  if (!stroke.rotations.empty() && stroke.rotations.size() != stroke.points.size())
+    object.fail("rotations", "as many rotations as points");
   stroke.spacing = object.number("spacing", 0.25);
   stroke.pressure = readPressureTargets(object);
   stroke.symmetry = readSymmetry(object);
@@ -60,6 +77,7 @@ StrokeOperation readStroke(JsonObject& object) {
 Json writeStroke(const StrokeOperation& operation) {
   const Stroke& stroke = operation.stroke;
   Json json{{"points", listOf(stroke.points)}, {"spacing", stroke.spacing}};
+  for (const glm::dquat& rotation : stroke.rotations) json["rotations"].push_back(listOf(rotation));
   if (stroke.pressure.strength) json["pressure"].push_back("strength");
   if (stroke.pressure.size) json["pressure"].push_back("size");
   writeSymmetry(stroke.symmetry, json);

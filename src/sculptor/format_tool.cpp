@@ -31,7 +31,11 @@ ActionOperation readAction(JsonObject& object) {
                                            {"erase", erase},
                                            {"paint", paint},
                                            {"paint_soft", paintSoft},
-                                           {"smooth", smooth}},
+                                           {"smooth", smooth},
+                                           {"hold", hold},
+                                           {"push", push},
+                                           {"grip", grip},
+                                           {"swell", swell}},
                                           add);
   action.strength = object.number("strength", 0.5);
   action.colour = readColour(object);

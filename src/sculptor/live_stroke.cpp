@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sculptor/dab_counts.hpp"
+#include "sculptor/dab_maker.hpp"
 #include "sculptor/timer.hpp"
 
 namespace bozzetto {
@@ -23,8 +24,7 @@ LiveStroke<Side>::LiveStroke(Workbench<Side>& bench, Stroke stroke)
     : bench_(&bench),
       stroke_(std::move(stroke)),
       edit_(bench.tree()),
-      runner_(edit_, bench.field().scale, bench.hand.tool(bench.field().scale.spacing),
-              bench.hand.action, stroke_) {
+      maker_(makeDabMaker<Side>(bench, edit_, stroke_)) {
   report_.op = "stroke";
   report_.massBefore = bench.mass();
 }
@@ -38,13 +38,18 @@ LiveStroke<Side>::~LiveStroke() {
 
 template <int Side>
 void LiveStroke<Side>::extend(std::span<const StrokePoint> points) {
-  runner_.extend(points);
+  maker_->extend(points);
   stroke_.points.insert(stroke_.points.end(), points.begin(), points.end());
 }
 
 template <int Side>
+std::int64_t LiveStroke<Side>::plannedDabs() const {
+  return maker_->dabCount();
+}
+
+template <int Side>
 bool LiveStroke<Side>::dab() {
-  if (report_.dabs >= runner_.sureDabs()) return false;
+  if (report_.dabs >= maker_->sureDabs()) return false;
   makeDab();
   return true;
 }
@@ -54,7 +59,7 @@ void LiveStroke<Side>::makeDab() {
   DabReport dab;
   {
     const Timer timer(report_.msField);
-    dab = runner_.dab(report_.dabs++);
+    dab = maker_->dab(report_.dabs++);
   }
   addCounts(dab, bench_->field().scale.spacing, report_);
   bench_->refresh(sortedOnce(std::move(dab.changed)), report_);
@@ -62,7 +67,11 @@ void LiveStroke<Side>::makeDab() {
 
 template <int Side>
 OperationReport LiveStroke<Side>::finish() {
-  while (report_.dabs < runner_.dabCount()) makeDab();
+  while (report_.dabs < maker_->dabCount()) makeDab();
+  {
+    const Timer timer(report_.msField);
+    maker_->finish();
+  }
   bench_->keep(edit_, report_);
   finished_ = true;
   report_.massAfter = bench_->mass();

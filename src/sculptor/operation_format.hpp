@@ -39,6 +39,7 @@ std::span<const OperationFormat> toolFormats();
 std::span<const OperationFormat> strokeFormats();
 std::span<const OperationFormat> historyFormats();
 std::span<const OperationFormat> solidFormats();
+std::span<const OperationFormat> clayFormats();
 
 // Values that many operations have.
 glm::dvec3 readVector(JsonObject& object, const char* key, std::array<double, 3> fallback);

@@ -42,6 +42,16 @@ template <int Side>
 void run(const WrapApplyOperation& operation, Workbench<Side>& bench, const Telling& telling);
 template <int Side>
 void run(const SolidDropOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const ClayOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const RelaxOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SupportOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const HoldOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const ReleaseOperation& operation, Workbench<Side>& bench, const Telling& telling);
 
 /// At the end of a family's file.
 #define BOZZETTO_RUNS(Kind)                                      \

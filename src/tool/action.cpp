@@ -10,8 +10,8 @@
 namespace bozzetto {
 namespace {
 
-constexpr std::array<std::string_view, 6> kNames{"add",   "remove",     "erase",
-                                                 "paint", "paint_soft", "smooth"};
+constexpr std::array<std::string_view, 10> kNames{
+    "add", "remove", "erase", "paint", "paint_soft", "smooth", "hold", "push", "grip", "swell"};
 
 BOZZETTO_KERNEL bool otherColourKernel(const BlockView& block, Attributes tool) {
   Attributes differs = 0;
@@ -62,8 +62,12 @@ std::unique_ptr<Action> makeAction(const ActionOptions& options) {
       return makePaintSoft(options.colour);
     case ActionKind::smooth:
       return makeSmooth();
+    case ActionKind::hold:
+      return makeHold();
+    default:
+      throw Error("action: " + std::string(toText(options.kind)) +
+                  " found, one that works corner by corner expected");
   }
-  return nullptr;
 }
 
 }  // namespace bozzetto

@@ -12,5 +12,6 @@ std::unique_ptr<Action> makePaintSoft(Colour colour);
 std::unique_ptr<Action> makeSmooth();
 /// Add, paint or paintSoft.
 std::unique_ptr<Action> makeOwnColours(ActionKind kind);
+std::unique_ptr<Action> makeHold();
 
 }  // namespace bozzetto

@@ -24,7 +24,8 @@ enum class SharingRule { capped, literal };
 
 /// push leaves no room where it is and leads clay along; grip leads what it holds; support leaves
 /// no room and stands still.
-enum class Role { push, grip, support };
+/// swell lowers the automaton's threshold where it is, so that clay grows out.
+enum class Role { push, grip, support, swell };
 
 std::string_view toText(LayerKind layer);
 std::string_view toText(Scheme scheme);
@@ -32,6 +33,9 @@ std::string_view toText(SharingRule rule);
 std::optional<LayerKind> layerNamed(std::string_view name);
 std::optional<Scheme> schemeNamed(std::string_view name);
 std::optional<SharingRule> sharingRuleNamed(std::string_view name);
+
+/// Control points of the spreading curve, a quadratic Bézier from (0, 1) to (1, 0) (Raffin §3).
+inline constexpr std::array<double, 2> kUniform{1, 1}, kLinear{0.5, 0.5}, kGaussian{0.35, 0.05};
 
 struct Settings {
   std::vector<LayerKind> layers{LayerKind::displacement, LayerKind::conservation,
@@ -44,7 +48,7 @@ struct Settings {
   int iterations = 200'000;   ///< paper: cells taken from the queue per step, at most
 
   double viscosity = 0;                     ///< diffusion: radius of spreading in cells; 0 = none
-  std::array<double, 2> profile{0.5, 0.5};  ///< control point of the spreading curve, in 0…1
+  std::array<double, 2> profile = kLinear;  ///< control point of the spreading curve, in 0…1
   double walk = 2;  ///< diffusion: longest walk, × the tool's largest radius
 
   double rate = 0.3;        ///< automaton: Takai's α, share that is given
@@ -55,7 +59,8 @@ struct Settings {
 
 /// What happened in a step, for who watches.
 struct StepReport {
-  std::int64_t clayCells = 0;  ///< with clay, in the working set
+  std::int64_t cells = 0;      ///< visited
+  std::int64_t clayCells = 0;  ///< of these, with clay
   double left = 0;             ///< cells' worth of matter that has found no room yet
   int crumbs = 0;              ///< pieces eaten
 };

@@ -25,6 +25,12 @@ struct Setup {
 /// Throws Error for radii and rotations that are none.
 void requireValid(const Support& support);
 
+/// What the tool does: its role, and how strongly a swelling one swells, 0 … 1.
+struct Doing {
+  Role role = Role::push;
+  double strength = 0.5;
+};
+
 /// A stroke step by step, so that a window can show each. The caller owns the edit and commits it.
 /// The tool's surface lies at its radii; pressure plays no part. Steps work on a copy of the clay
 /// within reach: all of the connected piece, or for fluid clay what is near the tool.
@@ -34,10 +40,15 @@ class ClayStroke {
   /// Checks everything first. Throws Error for bad points, rotations, tools, settings, for more
   /// than 10 million steps and for ways beyond the workspace.
   ClayStroke(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, const ToolShape& tool,
-             Role role, const Stroke& stroke, const Setup& setup);
+             const Doing& doing, const Stroke& stroke, const Setup& setup);
   ~ClayStroke();
 
+  /// Goes on through these points, without rotations, while the stroke is drawn: the steps are
+  /// those of a stroke that had them from the start. Throws Error and leaves the stroke as it was.
+  void extend(std::span<const StrokePoint> points);
+
   std::int64_t stepCount() const;
+  std::int64_t sureSteps() const;     ///< those that `extend` cannot move
   const std::string& notice() const;  ///< about the tool; may be empty
 
   /// Makes the n-th step; they are made in order. O(clay within reach).

@@ -1,12 +1,16 @@
 // A stroke while it is drawn: points arrive one by one, dabs are made as soon as their place is
 // sure, and what comes out is, bit for bit, what the finished stroke gives in one piece.
 #pragma once
+#include <memory>
 #include <span>
 
 #include "bozzetto/sculptor/operation.hpp"
 #include "bozzetto/sculptor/workbench.hpp"
 
 namespace bozzetto {
+
+template <int Side>
+class DabMaker;
 
 template <int Side>
 class LiveStroke {
@@ -27,7 +31,7 @@ class LiveStroke {
   OperationReport finish();
 
   /// Dabs of the stroke so far, made or not; symmetric images not counted.
-  std::int64_t plannedDabs() const { return runner_.dabCount(); }
+  std::int64_t plannedDabs() const;
   /// The stroke so far, as it will be recorded.
   const Stroke& stroke() const { return stroke_; }
 
@@ -37,7 +41,7 @@ class LiveStroke {
   Workbench<Side>* bench_;
   Stroke stroke_;
   Edit<CornerBlock<Side>> edit_;
-  StrokeRunner<Side> runner_;
+  std::unique_ptr<DabMaker<Side>> maker_;
   OperationReport report_;
   bool finished_ = false;
 };

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "bozzetto/sculptor/clay_operations.hpp"
 #include "bozzetto/sculptor/solid_operations.hpp"
 #include "bozzetto/tool/action.hpp"
 #include "bozzetto/tool/fill.hpp"
@@ -56,7 +57,8 @@ struct ResampleOperation {
 using Operation = std::variant<SceneOperation, FillOperation, ToolOperation, ActionOperation,
                                StrokeOperation, UndoOperation, RedoOperation, ResampleOperation,
                                SolidOperation, SolidMoveOperation, BakeOperation, WrapOperation,
-                               WrapApplyOperation, SolidDropOperation>;
+                               WrapApplyOperation, SolidDropOperation, ClayOperation,
+                               RelaxOperation, SupportOperation, HoldOperation, ReleaseOperation>;
 
 /// The "op" of an operation: "scene", "fill", …
 std::string_view nameOf(const Operation& operation);

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "bozzetto/clay/stroke.hpp"
 #include "bozzetto/field/field.hpp"
 #include "bozzetto/history/undo_stack.hpp"
 #include "bozzetto/sculptor/report.hpp"
@@ -54,6 +55,7 @@ class Workbench {
   void setSolid(SolidRef solid) { nextSolid_ = std::move(solid); }
 
   Hand hand;
+  clay::Setup clay;  ///< what strokes that move clay meet; no step of history
 
   /// The clay, for an Edit.
   Tree& tree() { return field_.tree; }
@@ -64,6 +66,7 @@ class Workbench {
   void keep(Edit<Block>& edit, OperationReport& report) { keep(edit, field_.scale, report); }
   /// Brings the surface to what the clay is now inside these runs, in the middle of an edit.
   void refresh(std::span<const KeyRun> changed, OperationReport& report);
+  bool shows() const { return upkeep_ == SurfaceUpkeep::afterEachDab; }
   /// Makes the surface anew, after a rollback.
   void showAll();
   /// One step back or forth; nothing when there is none. True when there was one.

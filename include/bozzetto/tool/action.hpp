@@ -15,12 +15,17 @@ namespace bozzetto {
 ///   paint       colour ← tool's where p > 0
 ///   paintSoft   colour blended with weight s·p / (s·p + v)
 ///   smooth      v ← v + s·p·(lowpass(v) − v), colour likewise weighted by density
+///   hold        hold grows by s·p of what is left to 255; the clay stays
+///   push, grip, swell   move clay: strokes of these are made by clay/stroke.hpp
 /// The hard ones, erase and paint, ignore s and act where hold < 128.
-enum class ActionKind { add, remove, erase, paint, paintSoft, smooth };
+enum class ActionKind { add, remove, erase, paint, paintSoft, smooth, hold, push, grip, swell };
 
-/// "add", "remove", "erase", "paint", "paint_soft", "smooth".
+/// "add", "remove", "erase", "paint", "paint_soft", "smooth", "hold", "push", "grip", "swell".
 std::string_view toText(ActionKind kind);
 std::optional<ActionKind> actionNamed(std::string_view name);
+
+/// push, grip, swell: no Action does these.
+constexpr bool movesClay(ActionKind kind) { return kind >= ActionKind::push; }
 
 struct ActionOptions {
   ActionKind kind = ActionKind::add;

@@ -1,0 +1,33 @@
+// Operations on clay that behaves like clay.
+#pragma once
+#include "bozzetto/clay/stroke.hpp"
+
+namespace bozzetto {
+
+/// How clay gives way to strokes that push and grip, from now on.
+struct ClayOperation {
+  clay::Settings settings;
+};
+
+/// Runs the clay's layers without a tool.
+struct RelaxOperation {
+  int steps = 10;
+};
+
+/// A tool that stands still from now on, for strokes that push and grip.
+struct SupportOperation {
+  clay::Support support;
+};
+
+/// Holds the clay in a box: 0 free … 1 fixed. World units, both ends belong to it.
+struct HoldOperation {
+  glm::dvec3 low{0}, high{0};
+  double amount = 1;
+};
+
+/// Frees what is held, and takes supports away.
+struct ReleaseOperation {
+  bool hold = true, supports = true;
+};
+
+}  // namespace bozzetto

@@ -1,0 +1,35 @@
+// Takai's layer: blocks of 2×2×2 cells, at even keys and odd ones in turn (Margolus), in which
+// cells that hold too much give to those that do not.
+#pragma once
+#include "clay/layer.hpp"
+
+namespace bozzetto::clay {
+
+struct Sharing {
+  float rate;  ///< α
+  SharingRule rule;
+};
+
+/// One block. `limit` per cell: the most it may hold, negative for obstacles; `full` what the
+/// capped rule leaves at least. True when anything was given.
+bool shareBlock(Region& region, const std::array<std::size_t, 8>& cells,
+                const std::array<float, 8>& limit, const std::array<float, 8>& full,
+                const Sharing& sharing);
+
+class Automaton final : public Layer {
+ public:
+  void run(Work& work) override;
+
+ private:
+  void sweepOut(Work& work);
+  void paintSwelling(Work& work);
+  void findHot(Work& work);
+  bool sweep(Work& work, int parity);
+  bool sweepTile(Work& work, Key tile, int parity);
+  void spreadHeat(const Region& region);
+
+  std::vector<Key> tiles_;         // to be visited
+  std::vector<std::uint8_t> hot_;  // of these: had something to give
+};
+
+}  // namespace bozzetto::clay

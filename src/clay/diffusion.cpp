@@ -1,0 +1,147 @@
+#include "clay/diffusion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace bozzetto::clay {
+namespace {
+
+constexpr int kSpreadings = 8;  // rounds until what found no room walks on
+
+float roomAt(const Region& region, std::size_t cell) {
+  if (region.hold[cell] == kFixed) return 0;
+  return (1 - region.cover[cell]) - region.value[cell];
+}
+
+float floored(float x) { return std::floor(x / kQuantum) * kQuantum; }
+
+glm::dvec3 normalAt(const Work& work, std::size_t cell) {
+  const Key key = work.region.key(cell);
+  for (const PlacedTool& tool : work.moving)
+    if (tool.role == Role::push && tool.cover(key) > 0) return tool.normal(key);
+  for (const PlacedTool& tool : work.supports)
+    if (tool.cover(key) > 0) return tool.normal(key);
+  return {0, 1, 0};
+}
+
+bool touchesDense(const Region& region, std::size_t cell) {
+  for (const std::ptrdiff_t step : region.neighbours())
+    if (region.value[cell + step] >= 0.5f) return true;
+  return false;
+}
+
+}  // namespace
+
+float spreadAt(float u, const std::array<double, 2>& control) {
+  if (control == kUniform) return 1;
+  // Solve x(t) = 2t(1 − t)·cx + t² = u for t.
+  const double cx = control[0], a = 1 - 2 * cx, b = 2 * cx;
+  const double root = std::sqrt(std::max(0.0, b * b + 4 * a * u));
+  const double t = b + root > 0 ? 2 * u / (b + root) : std::sqrt(static_cast<double>(u));
+  return static_cast<float>((1 - t) * (1 - t) + 2 * t * (1 - t) * control[1]);
+}
+
+void Diffusion::prepareStencil(const Region& region, const Settings& settings) {
+  stencil_.clear();
+  const auto radius = static_cast<float>(settings.viscosity);
+  const int reach = static_cast<int>(radius);
+  for (int i = -reach; i <= reach; ++i)
+    for (int j = -reach; j <= reach; ++j)
+      for (int k = -reach; k <= reach; ++k) {
+        const float distance = std::sqrt(static_cast<float>(i * i + j * j + k * k));
+        if (distance >= radius) continue;
+        const float weight = spreadAt(distance / radius, settings.profile);
+        if (weight > 0)
+          stencil_.push_back({i * region.strides()[0] + j * region.strides()[1] + k, weight});
+      }
+}
+
+// Fills the room at the exit.
+void Diffusion::leave(Region& region, const Walk& walk, float& amount) {
+  const float given = std::min(amount, floored(roomAt(region, walk.at)));
+  region.carry(walk.from, walk.at, given);
+  amount -= given;
+}
+
+// Over free corners near the exit that touch clay: free corners anywhere would make a haze. Each
+// takes what it has room for; the rest is spread again.
+void Diffusion::spread(Region& region, const Walk& walk, float& amount) {
+  open_.clear();
+  for (const Neighbour& each : stencil_) {
+    const auto cell = static_cast<std::ptrdiff_t>(walk.at) + each.step;
+    if (cell < 0 || cell >= region.box().count()) continue;
+    const Key key = region.key(static_cast<std::size_t>(cell));
+    if (region.inRim(key) || roomAt(region, cell) <= 0 || !touchesDense(region, cell)) continue;
+    open_.push_back({cell, each.weight});
+  }
+  for (int round = 0; round < kSpreadings && amount > 0 && !open_.empty(); ++round) {
+    float sum = 0;
+    for (const Neighbour& each : open_) sum += each.weight;
+    const float whole = amount;
+    for (const Neighbour& each : open_) {
+      const float wanted = std::max(kQuantum, floored(whole * each.weight / sum));
+      const float given = std::min({amount, wanted, floored(roomAt(region, each.step))});
+      region.carry(walk.from, each.step, given);
+      amount -= given;
+    }
+    std::erase_if(open_,
+                  [&](const Neighbour& each) { return roomAt(region, each.step) < kQuantum; });
+  }
+}
+
+// Along one axis until all is spent, the walk is too long, or held clay is in the way.
+bool Diffusion::walk(Work& work, Walk& walk, float& amount) {
+  Region& region = work.region;
+  const double lead = walk.normal[static_cast<int>(walk.axis)];
+  const std::ptrdiff_t step = lead < 0 ? -region.strides()[walk.axis] : region.strides()[walk.axis];
+  for (int n = 0; n < walk.longest; ++n) {
+    if (region.hold[walk.at + step] == kFixed) return false;
+    walk.at += step;
+    if (roomAt(region, walk.at) < kQuantum) continue;
+    if (!stencil_.empty()) spread(region, walk, amount);
+    leave(region, walk, amount);
+    if (amount <= 0) return true;
+  }
+  return false;
+}
+
+// Q splits over the axes by the normal; a walk that cannot go on turns to the next axis, and back
+// once all have been tried (Raffin §2; algorithms.md §3).
+void Diffusion::push(Work& work, std::size_t cell) {
+  Region& region = work.region;
+  const float excess = region.value[cell] - (1 - region.cover[cell]);
+  const glm::dvec3 normal = normalAt(work, cell);
+  const double whole = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
+  double radius = 4;
+  for (const PlacedTool& tool : work.moving) radius = std::max(radius, tool.radius);
+  const int longest = static_cast<int>(std::ceil(work.settings.walk * radius));
+  float rest = excess;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double part = std::abs(normal[static_cast<int>(axis)]) / whole;
+    float amount = std::min(rest, quantised(excess * static_cast<float>(part)));
+    if (axis == 2) amount = rest;
+    rest -= amount;
+    Walk way{cell, cell, axis, normal, longest};
+    for (int turn = 0; amount > 0 && turn < 6; ++turn) {
+      if (walk(work, way, amount)) break;
+      way.axis = (way.axis + 1) % 3;
+      if (turn == 2) way.normal = -way.normal, way.at = cell;
+    }
+  }
+}
+
+void Diffusion::run(Work& work) {
+  Region& region = work.region;
+  prepareStencil(region, work.settings);
+  overlapped_.clear();
+  for (const Row& row : region.rows())
+    for (std::size_t cell = row.base; cell < row.base + row.count; ++cell)
+      if (region.cover[cell] > 0 && region.hold[cell] != kFixed &&
+          region.value[cell] > 1 - region.cover[cell])
+        overlapped_.push_back(static_cast<std::uint32_t>(cell));
+  std::sort(overlapped_.begin(), overlapped_.end());
+  for (const std::uint32_t cell : overlapped_) push(work, cell);
+}
+
+}  // namespace bozzetto::clay

@@ -1,0 +1,37 @@
+// Raffin's layer: matter that a tool overlaps walks along the axes of the tool's normal to the
+// nearest room, the exit, and may be spread round it.
+#pragma once
+#include "clay/layer.hpp"
+
+namespace bozzetto::clay {
+
+/// Height of the spreading curve at `u` in 0 … 1 of its radius: a quadratic Bézier from (0, 1) to
+/// (1, 0) by a control point; all 1 for kUniform (Raffin §3).
+float spreadAt(float u, const std::array<double, 2>& control);
+
+class Diffusion final : public Layer {
+ public:
+  void run(Work& work) override;
+
+ private:
+  struct Neighbour {
+    std::ptrdiff_t step;
+    float weight;
+  };
+  struct Walk {
+    std::size_t from, at;
+    std::size_t axis;
+    glm::dvec3 normal;
+    int longest;
+  };
+  void prepareStencil(const Region& region, const Settings& settings);
+  void push(Work& work, std::size_t cell);
+  bool walk(Work& work, Walk& walk, float& amount);
+  void leave(Region& region, const Walk& walk, float& amount);
+  void spread(Region& region, const Walk& walk, float& amount);
+
+  std::vector<std::uint32_t> overlapped_;
+  std::vector<Neighbour> stencil_, open_;
+};
+
+}  // namespace bozzetto::clay

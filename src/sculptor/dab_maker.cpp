@@ -1,0 +1,70 @@
+#include "sculptor/dab_maker.hpp"
+
+#include "bozzetto/clay/stroke.hpp"
+
+namespace bozzetto {
+namespace {
+
+template <int Side>
+class BrushDabs final : public DabMaker<Side> {
+ public:
+  BrushDabs(Workbench<Side>& bench, Edit<CornerBlock<Side>>& edit, const Stroke& stroke)
+      : runner_(edit, bench.field().scale, bench.hand.tool(bench.field().scale.spacing),
+                bench.hand.action, stroke) {}
+  void extend(std::span<const StrokePoint> points) override { runner_.extend(points); }
+  std::int64_t dabCount() const override { return runner_.dabCount(); }
+  std::int64_t sureDabs() const override { return runner_.sureDabs(); }
+  DabReport dab(std::int64_t n) override { return runner_.dab(n); }
+  void finish() override {}
+
+ private:
+  StrokeRunner<Side> runner_;
+};
+
+clay::Role roleOf(ActionKind kind) {
+  return kind == ActionKind::grip    ? clay::Role::grip
+         : kind == ActionKind::swell ? clay::Role::swell
+                                     : clay::Role::push;
+}
+
+template <int Side>
+class ClayDabs final : public DabMaker<Side> {
+ public:
+  ClayDabs(Workbench<Side>& bench, Edit<CornerBlock<Side>>& edit, const Stroke& stroke)
+      : shows_(bench.shows()),
+        stroke_(edit, bench.field().scale, bench.hand.tool(bench.field().scale.spacing),
+                {roleOf(bench.hand.action.kind), bench.hand.action.strength}, stroke, bench.clay) {}
+  void extend(std::span<const StrokePoint> points) override { stroke_.extend(points); }
+  std::int64_t dabCount() const override { return stroke_.stepCount(); }
+  std::int64_t sureDabs() const override { return stroke_.sureSteps(); }
+  DabReport dab(std::int64_t n) override {
+    DabReport report;
+    const clay::StepReport step = stroke_.step(n);
+    report.visited = report.computed = step.cells;
+    report.dirty = step.clayCells;
+    if (shows_) report.changed = stroke_.store();
+    return report;
+  }
+  void finish() override { stroke_.store(); }
+
+ private:
+  bool shows_;
+  clay::ClayStroke<Side> stroke_;
+};
+
+}  // namespace
+
+template <int Side>
+std::unique_ptr<DabMaker<Side>> makeDabMaker(Workbench<Side>& bench, Edit<CornerBlock<Side>>& edit,
+                                             const Stroke& stroke) {
+  if (movesClay(bench.hand.action.kind))
+    return std::make_unique<ClayDabs<Side>>(bench, edit, stroke);
+  return std::make_unique<BrushDabs<Side>>(bench, edit, stroke);
+}
+
+template std::unique_ptr<DabMaker<1>> makeDabMaker(Workbench<1>&, Edit<CornerBlock<1>>&,
+                                                   const Stroke&);
+template std::unique_ptr<DabMaker<8>> makeDabMaker(Workbench<8>&, Edit<CornerBlock<8>>&,
+                                                   const Stroke&);
+
+}  // namespace bozzetto

@@ -1,0 +1,76 @@
+// clay, relax, support, hold, release.
+#include <cmath>
+
+#include "bozzetto/clay/hold.hpp"
+#include "bozzetto/tool/relative.hpp"
+#include "sculptor/run.hpp"
+#include "sculptor/timer.hpp"
+
+namespace bozzetto {
+
+template <int Side>
+void run(const ClayOperation& operation, Workbench<Side>& bench, const Telling&) {
+  requireValid(operation.settings);
+  bench.clay.settings = operation.settings;
+}
+
+template <int Side>
+void run(const RelaxOperation& operation, Workbench<Side>& bench, const Telling& telling) {
+  Edit<CornerBlock<Side>> edit(bench.tree());
+  {
+    const Timer timer(telling.report.msField);
+    clay::relax<Side>(edit, bench.field().scale, bench.clay, operation.steps);
+  }
+  bench.keep(edit, telling.report);
+}
+
+template <int Side>
+void run(const SupportOperation& operation, Workbench<Side>& bench, const Telling&) {
+  clay::requireValid(operation.support);
+  cellOf(operation.support.centre, bench.field().scale.spacing, "support centre");
+  bench.clay.supports.push_back(operation.support);
+}
+
+// The corners of a box in world units, both ends.
+KeyBox cornersWithin(const HoldOperation& operation, double spacing) {
+  KeyBox box;
+  const Key low = cellOf(operation.low, spacing, "hold min");
+  const Key high = cellOf(operation.high, spacing, "hold max");
+  const glm::dvec3 below = relativeTo(low, operation.low, spacing);
+  const glm::dvec3 above = relativeTo(high, operation.high, spacing);
+  for (const Axis axis : kAxes) {
+    box.low[axis] = low[axis] + static_cast<std::int32_t>(std::ceil(below[index(axis)]));
+    box.high[axis] = high[axis] + static_cast<std::int32_t>(std::floor(above[index(axis)]));
+  }
+  return box;
+}
+
+template <int Side>
+void run(const HoldOperation& operation, Workbench<Side>& bench, const Telling& telling) {
+  const KeyBox box = cornersWithin(operation, bench.field().scale.spacing);
+  Edit<CornerBlock<Side>> edit(bench.tree());
+  {
+    const Timer timer(telling.report.msField);
+    clay::holdClay<Side>(edit, box, operation.amount);
+  }
+  bench.keep(edit, telling.report);
+}
+
+template <int Side>
+void run(const ReleaseOperation& operation, Workbench<Side>& bench, const Telling& telling) {
+  if (operation.supports) bench.clay.supports.clear();
+  Edit<CornerBlock<Side>> edit(bench.tree());
+  if (operation.hold) {
+    const Timer timer(telling.report.msField);
+    clay::releaseClay<Side>(edit);
+  }
+  bench.keep(edit, telling.report);
+}
+
+BOZZETTO_RUNS(ClayOperation);
+BOZZETTO_RUNS(RelaxOperation);
+BOZZETTO_RUNS(SupportOperation);
+BOZZETTO_RUNS(HoldOperation);
+BOZZETTO_RUNS(ReleaseOperation);
+
+}  // namespace bozzetto
