@@ -17,7 +17,7 @@ inline const Arrows kArrows{
     {"surface", {"grid", "field", "mesh"}},
     {"solid", {"field", "tool", "mesh"}},
     {"haptic", {"field", "solid"}},
-    {"history", {"grid"}},
+    {"history", {"field"}},
     {"scene", {"grid", "tool", "clay", "solid", "history"}},
     {"io", {"grid", "field", "mesh"}},
     {"render", {"grid", "field", "mesh", "surface"}},
