@@ -17,8 +17,8 @@ struct Free {
 Bytes compressed(std::span<const std::byte> raw, int level) {
   static thread_local const std::unique_ptr<ZSTD_CCtx, Free> context(ZSTD_createCCtx());
   Bytes frame(ZSTD_compressBound(raw.size()));
-  const std::size_t size = ZSTD_compressCCtx(context.get(), frame.data(), frame.size(), raw.data(),
-                                             raw.size(), level);
+  const std::size_t size =
+      ZSTD_compressCCtx(context.get(), frame.data(), frame.size(), raw.data(), raw.size(), level);
   if (ZSTD_isError(size)) throw Error(std::string("zstd: ") + ZSTD_getErrorName(size));
   frame.resize(size);
   return frame;

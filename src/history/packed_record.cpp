@@ -247,8 +247,8 @@ std::vector<Change<CornerBlock<Side>>> unpack(const PackedRecord<Side>& record,
       const auto from = blockOf<Side>(forward ? packed.before : packed.after);
       requireUniform<Side>(tree, packed.run, from, name);
       (forward ? change.before : change.after) = from;
-      (forward ? change.after : change.before) = blockOf<Side>(forward ? packed.after
-                                                                       : packed.before);
+      (forward ? change.after : change.before) =
+          blockOf<Side>(forward ? packed.after : packed.before);
     } else {
       Ref<Block> old(tree.find(packed.run.key));
       Ref<Block> made = unpacker.corners(packed, old.get());

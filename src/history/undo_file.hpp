@@ -1,4 +1,4 @@
-// Undo-files (Ferley §3.3): what one step changed, previous and new state of every modified corner.
+// Undo-files (Ferley §3.3): what one step changed, previous and new state of modified corners.
 // A checkpoint is the step from nothing to all the clay there is. The bytes are in NOTES.md.
 #pragma once
 #include <optional>

@@ -1,5 +1,5 @@
-// Words of 32 bits as four planes of bytes: equal exponents and colour channels come to lie together
-// and compress.
+// Words of 32 bits as four planes of bytes: equal exponents and colour channels come to lie
+// together and compress.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -152,13 +152,13 @@ TEST(ThirdParty, NoOtherWayToOpenGl) {
   });
 }
 
-TEST(Threads, LiveInBaseOnly) {
+TEST(Threads, LiveInBaseAndTheJournalOnly) {
+  static const Names owners{"src/base/parallel.cpp", "src/base/background.cpp",
+                            "src/history/journal.hpp"};
   static const Names forbidden{"thread", "future",    "execution", "barrier",
                                "latch",  "semaphore", "pthread.h"};
   forEachInclude([](const TextFile& file, const Include& include) {
-    const bool ours =
-        file.path == "src/base/parallel.cpp" || file.path == "src/base/background.cpp";
-    if (moduleOf(file).empty() || ours) return;
+    if (moduleOf(file).empty() || owners.contains(file.path)) return;
     const bool threads = forbidden.contains(include.header) || include.header.starts_with("tbb/") ||
                          include.header.starts_with("oneapi/tbb/");
     EXPECT_FALSE(threads) << include.where << ": <" << include.header << ">";

@@ -100,8 +100,8 @@ TEST(UndoFile, aHeadComesBackAsItWas) {
 
 TEST(UndoFile, countsCorners) {
   Clay clay;
-  const auto delta = testing::fill<8>(
-      clay, {{0, 0, 0}, {9, 9, 9}}, [](Key p) { return p.i == 3 ? 0.0f : 0.5f; });
+  const auto delta =
+      testing::fill<8>(clay, {{0, 0, 0}, {9, 9, 9}}, [](Key p) { return p.i == 3 ? 0.0f : 0.5f; });
   FileHead head = sampleHead();
   undo::encodeUndoFile<8>(head, delta);
   EXPECT_EQ(head.step.changedCorners, 900u);
@@ -157,9 +157,9 @@ bool sound(std::span<const std::byte> bytes, const Clay& before) {
 TEST(UndoFile, anyDamagedByteAndAnyMissingEndIsFound) {
   Clay clay;
   const Clay before = clay;
-  const auto delta = testing::fill<8>(
-      clay, {{0, 0, 0}, {4, 5, 9}},
-      [](Key p) { return static_cast<float>((p.i * 31 + p.j * 17 + p.k * 7) & 15) / 15.0f; });
+  const auto delta = testing::fill<8>(clay, {{0, 0, 0}, {4, 5, 9}}, [](Key p) {
+    return static_cast<float>((p.i * 31 + p.j * 17 + p.k * 7) & 15) / 15.0f;
+  });
   FileHead head = sampleHead();
   Bytes bytes = undo::encodeUndoFile<8>(head, delta, Bytes(20, std::byte{9}));
   ASSERT_TRUE(sound(bytes, before));

@@ -1,36 +1,12 @@
 // Documents and files for tests of scenes.
 #pragma once
-#include <unistd.h>
-
-#include <filesystem>
 #include <string>
 
 #include "bozzetto/scene/scene_file.hpp"
 #include "field/test_fields.hpp"
+#include "support/folder.hpp"
 
 namespace bozzetto::testing {
-
-/// A folder of its own that goes with the test.
-class Folder {
- public:
-  explicit Folder(const std::filesystem::path& in = std::filesystem::temp_directory_path()) {
-    std::string name = (in / "bozzetto-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw Error("no temporary folder");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::permissions(path_, std::filesystem::perms::owner_all, ignored);
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline Bytes bytesOf(std::string_view text) {
   const auto raw = std::as_bytes(std::span(text.data(), text.size()));

@@ -23,10 +23,10 @@ struct StepNote {
 
 struct Step {
   StepNumber number = 0;
-  StepNumber parent = 0;           ///< the state it was made from
-  std::uint64_t mark = 0;          ///< random: tells steps of the same number apart
-  std::uint64_t parentMark = 0;    ///< 0 for step 0
-  std::int64_t time = 0;           ///< milliseconds since 1970, UTC
+  StepNumber parent = 0;         ///< the state it was made from
+  std::uint64_t mark = 0;        ///< random: tells steps of the same number apart
+  std::uint64_t parentMark = 0;  ///< 0 for step 0
+  std::int64_t time = 0;         ///< milliseconds since 1970, UTC
   StepNote note;
   std::uint64_t changedBlocks = 0;
   std::uint64_t changedCorners = 0;  ///< known once it is written
