@@ -120,7 +120,7 @@ void setShadowing(FrameBlock& block, const Look& look, const Slice& slice) {
   const float cast = look.detail == Detail::baked || look.studio.lights.empty() ? 0
                      : look.mode == Mode::glass                                 ? .55f
                                                                                 : 1;
-  const int taps = slice.one ? 16 : 4;
+  const int taps = slice.taps;
   for (int n = 0; n < taps; ++n) block.taps[n] = tapAt(slice.index * taps + n);
   block.shadowing =
       slice.one ? glm::vec4(.0085, .030, cast, taps) : glm::vec4(.0055, .024, cast, taps);
@@ -135,6 +135,7 @@ Slice sliceAt(int n) {
   slice.light = {2 * recurrence(.8191725133961645, n), 2 * recurrence(.6710436067037893, n)};
   slice.index = n;
   slice.one = false;
+  slice.taps = 4;
   return slice;
 }
 

@@ -16,6 +16,7 @@ struct Slice {
   glm::dvec2 light{0};  ///< −1…1 of the box's half sides
   int index = 0;
   bool one = true;  ///< the only one of its picture: its own shadow must be soft
+  int taps = 16;    ///< where the shadow map is read, at most 16
 };
 
 /// The n-th slice of a still: evenly spread in the pixel and in the box.

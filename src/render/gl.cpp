@@ -64,6 +64,12 @@ Framebuffer newFramebuffer() {
   return Framebuffer(id);
 }
 
+Renderbuffer newRenderbuffer() {
+  GLuint id = 0;
+  glGenRenderbuffers(1, &id);
+  return Renderbuffer(id);
+}
+
 void check(std::string_view doing) {
   const GLenum code = glGetError();
   if (code == GL_NO_ERROR) return;
@@ -113,6 +119,8 @@ Program::Program(const std::vector<std::string_view>& vertexParts,
   set("matcap", matcap);
   set("floorOcclusion", floorOcclusion);
   set("source", source);
+  set("other", other);
+  set("clayDepth", clayDepth);
 }
 
 GLint Program::at(std::string_view uniform) const {

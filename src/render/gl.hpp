@@ -38,6 +38,7 @@ inline void deleteBuffer(GLuint id) { glDeleteBuffers(1, &id); }
 inline void deleteVertexArray(GLuint id) { glDeleteVertexArrays(1, &id); }
 inline void deleteTexture(GLuint id) { glDeleteTextures(1, &id); }
 inline void deleteFramebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
+inline void deleteRenderbuffer(GLuint id) { glDeleteRenderbuffers(1, &id); }
 inline void deleteProgram(GLuint id) { glDeleteProgram(id); }
 inline void deleteShader(GLuint id) { glDeleteShader(id); }
 
@@ -45,12 +46,14 @@ using Buffer = Name<deleteBuffer>;
 using VertexArray = Name<deleteVertexArray>;
 using Texture = Name<deleteTexture>;
 using Framebuffer = Name<deleteFramebuffer>;
+using Renderbuffer = Name<deleteRenderbuffer>;
 using ProgramName = Name<deleteProgram>;
 using Shader = Name<deleteShader>;
 
 Buffer newBuffer();
 VertexArray newVertexArray();
 Framebuffer newFramebuffer();
+Renderbuffer newRenderbuffer();
 
 /// Throws Error naming `doing` when GL has recorded an error.
 void check(std::string_view doing);
@@ -97,6 +100,9 @@ class Program {
   void set(std::string_view uniform, const glm::vec4& v) const {
     glUniform4f(at(uniform), v.x, v.y, v.z, v.w);
   }
+  void set(std::string_view uniform, const glm::mat4& m) const {
+    glUniformMatrix4fv(at(uniform), 1, GL_FALSE, &m[0][0]);
+  }
 
  private:
   ProgramName program_;
@@ -105,6 +111,6 @@ class Program {
 
 /// Blocks of uniforms and units of textures, the same in every program.
 inline constexpr GLuint kFrameBlock = 0, kStudioBlock = 1;
-enum TextureUnit { environmentMap, shadowMap, matcap, floorOcclusion, source };
+enum TextureUnit { environmentMap, shadowMap, matcap, floorOcclusion, source, other, clayDepth };
 
 }  // namespace bozzetto::gl

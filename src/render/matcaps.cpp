@@ -102,4 +102,19 @@ Image paintedMatcap(Matcap matcap) {
   return image;
 }
 
+Image ballFromPicture(const Image& picture) {
+  Image ball(256, 256);
+  const auto from = [](int n, int size) {
+    const double place = ((n + .5) / 256 - .5) / .98 + .5;
+    return std::clamp(int(place * size), 0, size - 1);
+  };
+  for (int y = 0; y < ball.height; ++y) {
+    for (int x = 0; x < ball.width; ++x) {
+      ball.at(x, y) =
+          picture.at(from(x, picture.width), picture.height - 1 - from(y, picture.height));
+    }
+  }
+  return ball;
+}
+
 }  // namespace bozzetto

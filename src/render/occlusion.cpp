@@ -17,9 +17,9 @@ namespace {
 
 using glm::vec3;
 
-constexpr int kRegionShift = 5;  // vertices of 32³ cells share a window
-constexpr int kRing = 5;
-constexpr float kUpWeight = .25f, kRingWeight = .15f;
+constexpr int kRegionShift = 5;    // vertices of 32³ cells share a window
+constexpr float kUpWeight = .25f;  // of the cone along the normal; the ring shares the rest
+constexpr int ringOf(LightDetail detail) { return detail == LightDetail::good ? 5 : 3; }
 // Scale and exponent fitted against 96 rays (correlation .945): a plane is open.
 constexpr float kPlaneSum = .91f, kExponent = .8f;
 
@@ -37,14 +37,24 @@ struct Hemisphere {
   }
 };
 
-VertexLight lightAt(const DensityWindow& window, vec3 p, vec3 normal, float reach) {
+// One vertex's light; `ring` cones beside the one along the normal.
+struct Feeler {
+  const DensityWindow& window;
+  float reach;
+  int ring;
+
+  VertexLight at(vec3 p, vec3 normal) const;
+};
+
+VertexLight Feeler::at(vec3 p, vec3 normal) const {
   const Hemisphere hemisphere(normal);
   Cone cone{p + normal * 1.5f, normal, 1, reach};
   float open = kUpWeight * visibility(window, cone);
   vec3 bent = normal * open;
-  for (int k = 0; k < kRing; ++k) {
-    cone.direction = hemisphere.leaning(k, kRing);
-    const float t = kRingWeight * visibility(window, cone);
+  const float ringWeight = (1 - kUpWeight) / float(ring);
+  for (int k = 0; k < ring; ++k) {
+    cone.direction = hemisphere.leaning(k, ring);
+    const float t = ringWeight * visibility(window, cone);
     open += t;
     bent += cone.direction * t;
   }
@@ -69,8 +79,8 @@ vec3 offset(Key from, Key to) {
 }  // namespace
 
 std::vector<std::vector<VertexLight>> lightOf(const OcclusionVolume& volume,
-                                              std::span<const PatchVertices> patches,
-                                              double reach) {
+                                              std::span<const PatchVertices> patches, double reach,
+                                              LightDetail detail) {
   std::map<Key, std::vector<std::size_t>> regions;
   for (std::size_t n = 0; n < patches.size(); ++n)
     regions[regionOf(patches[n].origin)].push_back(n);
@@ -82,13 +92,13 @@ std::vector<std::vector<VertexLight>> lightOf(const OcclusionVolume& volume,
       const Key low = jobs[job].first * (1 << kRegionShift);
       constexpr std::int32_t last = (1 << kRegionShift) - 1;
       const DensityWindow window(volume, {low, low + Key{last, last, last}});
+      const Feeler feeler{window, float(reach), ringOf(detail)};
       for (const std::size_t n : jobs[job].second) {
         const PatchVertices& patch = patches[n];
         const vec3 corner = offset(low, patch.origin);
         lights[n].reserve(patch.positions.size());
         for (std::size_t v = 0; v < patch.positions.size(); ++v) {
-          lights[n].push_back(
-              lightAt(window, corner + patch.positions[v], patch.normals[v], float(reach)));
+          lights[n].push_back(feeler.at(corner + patch.positions[v], patch.normals[v]));
         }
       }
     }

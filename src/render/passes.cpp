@@ -1,20 +1,11 @@
 // The passes of one frame: shadow map, background, floor, clay.
+#include "render/enabled.hpp"
 #include "render/renderer_impl.hpp"
 
 namespace bozzetto {
 namespace {
 
-// On during a scope, off after it.
-class Enabled {
- public:
-  explicit Enabled(GLenum what) : what_(what) { glEnable(what_); }
-  Enabled(const Enabled&) = delete;
-  Enabled& operator=(const Enabled&) = delete;
-  ~Enabled() { glDisable(what_); }
-
- private:
-  GLenum what_;
-};
+using gl::Enabled;
 
 template <class Block>
 void uploadBlock(GLuint binding, const gl::Buffer& buffer, const Block& block) {
@@ -192,8 +183,11 @@ std::size_t trianglesOf(std::span<const PatchStore::Seen> chunks) {
 
 }  // namespace
 
-std::size_t Renderer::Impl::drawFrame(const Shot& shot, const Look& look, Fineness fineness) {
-  const Frame frame = makeFrame(shot, look, Slice{});
+std::size_t Renderer::Impl::drawFrame(const Shot& shot, const Look& look, Fineness fineness,
+                                      int taps) {
+  Slice slice;
+  slice.taps = taps;
+  const Frame frame = makeFrame(shot, look, slice);
   setUp(frame, look);
   if (look.detail == Detail::full) {
     beginShadowMap();

@@ -57,7 +57,8 @@ struct Renderer::Impl {
   PatchStore& store(Fineness fineness) { return stores[std::size_t(fineness)]; }
 
   /// A frame into the bound framebuffer's lower left corner; returns the triangles drawn.
-  std::size_t drawFrame(const Shot& shot, const Look& look, Fineness fineness = Fineness::fine);
+  std::size_t drawFrame(const Shot& shot, const Look& look, Fineness fineness = Fineness::fine,
+                        int taps = 16);
   /// The same where clip space shows `part` pixels of it: only there.
   std::size_t redrawPart(const Shot& shot, const Look& look, const PixelRect& part);
 

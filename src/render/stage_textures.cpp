@@ -50,7 +50,7 @@ gl::Texture reflectionTexture(const Surroundings& surroundings, MapQuality quali
   return texture;
 }
 
-gl::Texture matcapTexture(const Image& image) {
+gl::Texture imageTexture(const Image& image) {
   gl::Texture texture = gl::newTexture({GL_RGBA8, image.width, image.height, gl::Filter::mipmaps});
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
                   image.pixels.data());
@@ -87,6 +87,27 @@ Target::Target(GLenum format, int w, int h, Depth withDepth)
 void Target::bind() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
   glViewport(0, 0, width, height);
+}
+
+void Target::smooth() const {
+  glBindTexture(GL_TEXTURE_2D, colour.get());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+}
+
+Multisampled::Multisampled(int width, int height, int samples)
+    : colour(gl::newRenderbuffer()),
+      depth(gl::newRenderbuffer()),
+      framebuffer(gl::newFramebuffer()) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+  const auto attach = [&](const gl::Renderbuffer& buffer, GLenum format, GLenum where) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer.get());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, buffer.get());
+  };
+  attach(colour, GL_RGBA8, GL_COLOR_ATTACHMENT0);
+  attach(depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
+  requireComplete();
 }
 
 }  // namespace bozzetto

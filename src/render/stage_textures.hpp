@@ -19,8 +19,8 @@ struct ShadowMap {
 };
 
 gl::Texture reflectionTexture(const Surroundings& surroundings, MapQuality quality);
-/// A ball that fills a square, rows from the bottom; drawn with its rim at .49 of the side.
-gl::Texture matcapTexture(const Image& ball);
+/// Rows as they come.
+gl::Texture imageTexture(const Image& image);
 /// White (all open) for an empty map.
 gl::Texture floorTexture(const FloorOcclusion& floor);
 
@@ -34,6 +34,16 @@ struct Target {
   enum class Depth { none, buffer };
   Target(GLenum format, int w, int h, Depth withDepth);
   void bind() const;
+  /// Reads of the colour between pixels mix them from now on.
+  void smooth() const;
+};
+
+/// Colour and depth of several samples a pixel, to draw into and to resolve.
+struct Multisampled {
+  gl::Renderbuffer colour, depth;
+  gl::Framebuffer framebuffer;
+
+  Multisampled(int width, int height, int samples);
 };
 
 }  // namespace bozzetto

@@ -39,5 +39,7 @@ glm::vec3 turned(const glm::vec3& towards, float turn);
 
 /// A painted ball, 256 × 256, rows from the bottom; its rim at .49 of the side.
 Image paintedMatcap(Matcap matcap);
+/// The same from somebody's picture of a ball that fills a square, rows from the top.
+Image ballFromPicture(const Image& picture);
 
 }  // namespace bozzetto

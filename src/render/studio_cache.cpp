@@ -37,13 +37,14 @@ const gl::Texture& StudioCache::keepBall(const StudioBlock& block, const Map& ma
 // Wire shows its lines on plaster.
 const gl::Texture& StudioCache::matcapOf(const Look& look) {
   if (look.matcapImage && look.mode == Mode::matcap) {
-    if (image_ != look.matcapImage) imageTexture_ = matcapTexture(*look.matcapImage);
+    if (image_ != look.matcapImage)
+      imageTexture_ = imageTexture(ballFromPicture(*look.matcapImage));
     image_ = look.matcapImage;
     return imageTexture_;
   }
   const Matcap which = look.mode == Mode::wire ? Matcap::plaster : look.matcap;
   gl::Texture& texture = painted_[which];
-  if (!texture) texture = matcapTexture(paintedMatcap(which));
+  if (!texture) texture = imageTexture(paintedMatcap(which));
   return texture;
 }
 

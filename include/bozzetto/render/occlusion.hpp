@@ -34,10 +34,14 @@ class OcclusionVolume {
   Pyramid pyramid_{kLevels - 1};
 };
 
+/// `quick` looks along four cones instead of six: in strokes, until there is time for `good`.
+enum class LightDetail { quick, good };
+
 /// Light of all vertices of `patches` (whose `light` is not read), one array per patch. Looks
-/// `reach` cells far. About 3 µs a vertex and thread; the same on any number of threads.
+/// `reach` cells far. 2–3 µs a vertex and thread; the same on any number of threads.
 std::vector<std::vector<VertexLight>> lightOf(const OcclusionVolume& volume,
-                                              std::span<const PatchVertices> patches, double reach);
+                                              std::span<const PatchVertices> patches, double reach,
+                                              LightDetail detail = LightDetail::good);
 
 /// How open the floor under the clay is, on a square around the stage's centre.
 struct FloorOcclusion {

@@ -14,6 +14,7 @@
 
 #include "bozzetto/render/camera.hpp"
 #include "bozzetto/render/image.hpp"
+#include "bozzetto/render/shot.hpp"
 
 namespace bozzetto {
 
@@ -77,7 +78,7 @@ struct BoxOutline {
   float opacity = 1;
 };
 /// The handle of `box` within 9 pixels of `pixel` and nearest to the eye.
-std::optional<int> handleAt(const struct Shot& shot, const BoxOutline& box, glm::dvec2 pixel);
+std::optional<int> handleAt(const Shot& shot, const BoxOutline& box, glm::dvec2 pixel);
 
 struct LightMark {
   glm::dvec3 place{0};

@@ -54,6 +54,7 @@ class Renderer {
 
  private:
   friend class Viewport;
+  friend class ClayPicture;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
