@@ -83,7 +83,7 @@ Texture newTexture(const TextureFormat& format) {
   GLuint id = 0;
   glGenTextures(1, &id);
   Texture texture(id);
-  glBindTexture(GL_TEXTURE_2D, id);
+  bindTexture(making, texture);
   const bool depth = format.internal == GL_DEPTH_COMPONENT24;
   glTexImage2D(GL_TEXTURE_2D, 0, GLint(format.internal), format.width, format.height, 0,
                depth ? GL_DEPTH_COMPONENT : GL_RGBA, depth ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE,

@@ -60,7 +60,7 @@ void check(std::string_view doing);
 
 enum class Filter { nearest, linear, mipmaps };
 
-/// A 2-D texture with edges clamped and `levels` levels, made but not filled.
+/// A 2-D texture with edges clamped, made but not filled; bound to the unit `making`.
 struct TextureFormat {
   GLenum internal = GL_RGBA8;
   int width = 1, height = 1;
@@ -109,8 +109,18 @@ class Program {
   mutable std::map<std::string, GLint, std::less<>> locations_;
 };
 
-/// Blocks of uniforms and units of textures, the same in every program.
+/// Blocks of uniforms and units of textures, the same in every program; textures are made on the
+/// last, so that making one takes nothing away from a program.
 inline constexpr GLuint kFrameBlock = 0, kStudioBlock = 1;
-enum TextureUnit { environmentMap, shadowMap, matcap, floorOcclusion, source, other, clayDepth };
+enum TextureUnit {
+  environmentMap,
+  shadowMap,
+  matcap,
+  floorOcclusion,
+  source,
+  other,
+  clayDepth,
+  making
+};
 
 }  // namespace bozzetto::gl

@@ -32,6 +32,7 @@ Programs::Programs()
       depth({"frame", "depth.vert"}, {"depth.frag"}),
       background({"screen.vert"}, {"frame", "noise", "background.frag"}),
       floor({"frame", "floor.vert"}, {"frame", "noise", "shadow", "floor.frag"}),
+      floorWithoutShadow({"frame", "floor.vert"}, {"frame", "noise", "no_shadow", "floor.frag"}),
       bake({"screen.vert"}, {"colour", "studio", "bake.frag"}),
       copy({"screen.vert"}, {"copy.frag"}) {}
 
@@ -51,13 +52,14 @@ void Renderer::Impl::bindStudio(const Frame& frame, const Look& look) {
   const StudioBlock block = studioFor(look, map.harmonics, frame.pose);
   uploadBlock(gl::kStudioBlock, studioBuffer, block);
   gl::bindTexture(gl::environmentMap, map.reflections);
-  gl::bindTexture(gl::shadowMap, shadow.depth);
-  gl::bindTexture(gl::floorOcclusion, floorMap);
   if (look.mode == Mode::matcap || look.mode == Mode::wire) {
-    gl::bindTexture(gl::matcap, studios.matcapOf(look));
+    const gl::Texture& ball = studios.matcapOf(look);
+    gl::bindTexture(gl::matcap, ball);
   } else if (!full) {
     bindBall(block, map);
   }
+  gl::bindTexture(gl::shadowMap, shadow.depth);
+  gl::bindTexture(gl::floorOcclusion, floorMap);
 }
 
 // The ball knows nothing of what changes without light: options that act on the pixel.
@@ -71,9 +73,7 @@ void Renderer::Impl::bindBall(const StudioBlock& block, const StudioCache::Map& 
     Target target(GL_RGBA8, 256, 256, Target::Depth::none);
     target.bind();
     drawTriangle(programs.bake);
-    gl::bindTexture(gl::matcap, target.colour);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    target.smooth();
     ball = &studios.keepBall(key, map, std::move(target.colour));
   }
   gl::bindTexture(gl::matcap, *ball);
@@ -112,7 +112,8 @@ void Renderer::Impl::drawBackdrop(const Frame& frame) {
   if (!frame.floorInSight) return;
   const Enabled blend(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  programs.floor.use();
+  const bool shadows = frame.block.shadowing.z > 0;
+  (shadows ? programs.floor : programs.floorWithoutShadow).use();
   glBindVertexArray(nothing.get());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }

@@ -14,7 +14,7 @@ namespace bozzetto {
 
 struct Programs {
   gl::Program clay, baked, metal, glass, matcap, wire;
-  gl::Program depth, background, floor, bake, copy;
+  gl::Program depth, background, floor, floorWithoutShadow, bake, copy;
   Programs();
 };
 

@@ -90,7 +90,7 @@ void Target::bind() const {
 }
 
 void Target::smooth() const {
-  glBindTexture(GL_TEXTURE_2D, colour.get());
+  gl::bindTexture(gl::making, colour);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
 }

@@ -27,9 +27,9 @@ void main() {
   float d = distanceAt(gl_FragCoord.xy, depth), r = ball.w;
   if (d > 1.5 * r + 20.) discard;
   vec2 texel = 1. / place.zw;
-  float px = slope(vec2(texel.x, 0.), d) + slope(vec2(0., texel.y), d) + 1e-5;
+  float px = length(vec2(slope(vec2(texel.x, 0.), d), slope(vec2(0., texel.y), d))) + 1e-5;
   float away = abs(d - r) / px;
-  float ring = (1. - smoothstep(.7 + .5 * weight, 1.4 + .7 * weight, away)) * .92 * weight;
+  float ring = (1. - smoothstep(.2 + .5 * weight, 1. + .7 * weight, away)) * .92 * weight;
   float halo = exp(-.22 * away) * .22 * weight;
   float x = clamp(1. - d * d / (r * r), 0., 1.);
   float tint = clamp((d < r ? .05 + .20 * x * x : 0.) * weight + halo, 0., 1.) * ink.a;
