@@ -64,7 +64,8 @@ float PlacedTool::swelling(Key key) const {
   const Key local = key - solid->cell;
   const double depth = -solid->distance(glm::dvec3(local.i, local.j, local.k)) / smallest;
   const double p = std::clamp(depth, 0.0, 1.0);
-  return static_cast<float>(strength * p * p * (3 - 2 * p));
+  constexpr double most = 0.4;  // emptier cells would open holes
+  return static_cast<float>(most * strength * p * p * (3 - 2 * p));
 }
 
 void CoverPainter::paintStatic(Region& region, const std::vector<PlacedTool>& supports) {

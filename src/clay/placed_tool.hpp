@@ -34,7 +34,7 @@ struct PlacedTool {
   std::uint8_t waysOut(Key key) const;
   /// Outwards, of length 1.
   glm::dvec3 normal(Key key) const;
-  /// How much a swelling tool lowers what a cell may hold: its strength at the core, 0 outside.
+  /// How much a swelling tool lowers what a cell may hold, at most by 0.4: most at its core.
   float swelling(Key key) const;
 };
 

@@ -9,6 +9,7 @@
 #include "clay/exchange.hpp"
 #include "clay/pose_path.hpp"
 #include "clay/reach.hpp"
+#include "clay/sculpted_solid.hpp"
 #include "clay/stepper.hpp"
 
 namespace bozzetto::clay {
@@ -20,9 +21,9 @@ constexpr double kFluidReach = 2;   // × radius: how far round the tool fluid c
 constexpr std::int32_t kRoom = 2;   // tiles of air round the clay of a region
 constexpr std::int32_t kSlack = 2;  // tiles a tool may move before its region does
 
-PlacedTool place(Shape shape, const DabPose& pose, Role role) {
+PlacedTool place(std::unique_ptr<Solid> solid, const DabPose& pose, Role role) {
   PlacedTool tool;
-  tool.solid = makeSolid(shape, pose);
+  tool.solid = std::move(solid);
   tool.box = grown(dabBox(pose), 1);
   tool.role = role;
   tool.radius = std::max({pose.radii.x, pose.radii.y, pose.radii.z});
@@ -49,11 +50,10 @@ std::vector<PlacedTool> placeSupports(const std::vector<Support>& supports, doub
   std::vector<PlacedTool> placed;
   for (const Support& support : supports) {
     const Key origin = cellOf(support.centre, spacing, "support centre");
-    placed.push_back(
-        place(support.shape,
-              {origin, relativeTo(origin, support.centre, spacing),
-               glm::mat3_cast(normalisedRotation(support.rotation)), support.radii / spacing},
-              Role::support));
+    const DabPose pose{origin, relativeTo(origin, support.centre, spacing),
+                       glm::mat3_cast(normalisedRotation(support.rotation)),
+                       support.radii / spacing};
+    placed.push_back(place(makeSolid(support.shape, pose), pose, Role::support));
   }
   return placed;
 }
@@ -86,6 +86,8 @@ void requireSound(const Stroke& stroke) {
 
 void requireValid(const Support& support) {
   normalisedRotation(support.rotation);
+  if (support.shape == Shape::freeform)
+    throw Error("support: freeform found, a primitive expected");
   for (int axis = 0; axis < 3; ++axis)
     if (!(support.radii[axis] > 0) || !std::isfinite(support.radii[axis])) {
       throw Error("support radius: " + std::to_string(support.radii[axis]) +
@@ -100,7 +102,8 @@ struct ClayStroke<Side>::State {
   double spacing;
   Doing doing;
   float iso;
-  ToolShape tool;  // radii in cells
+  ToolShape tool;                                    // radii in cells
+  std::shared_ptr<const SculptedDistance> sculpted;  // of freeform tools
   std::string notice;
   Key origin;
   std::vector<glm::dmat3> images;
@@ -148,6 +151,14 @@ struct ClayStroke<Side>::State {
                 " steps found, at most 10 million expected");
   }
 
+  // A freeform tool stands on its pivot.
+  PlacedTool placeAt(DabPose pose) const {
+    if (!sculpted) return place(makeSolid(tool.shape, pose), pose, doing.role);
+    const Sculpture& sculpture = *tool.sculpture;
+    pose.position -= pose.orientation * (sculpture.pivot() * pose.radii / sculpture.halfExtents());
+    return place(makeSculptedSolid(sculpted, sculpture, pose), pose, doing.role);
+  }
+
   // The tool and its images after `now` steps, moved since `before`.
   std::vector<PlacedTool> toolsAt(double before, double now) const {
     const Pose from = path->at(before), to = path->at(now);
@@ -158,11 +169,11 @@ struct ClayStroke<Side>::State {
       DabPose pose = dabPose(to);
       pose.position = centre + image * (to.position - centre);
       pose.orientation = image * pose.orientation;
-      PlacedTool placed = place(tool.shape, pose, doing.role);
       const glm::dmat3 turned = image * turn * glm::transpose(image);
       const glm::dvec3 start = centre + image * (from.position - centre);
-      placed.motion.turn = turned - glm::dmat3(1);
-      placed.motion.shift = pose.position - turned * start;
+      const Motion motion{turned - glm::dmat3(1), pose.position - turned * start};
+      PlacedTool placed = placeAt(pose);
+      placed.motion = motion;
       placed.strength = static_cast<float>(doing.strength);
       tools.push_back(std::move(placed));
     }
@@ -267,6 +278,8 @@ ClayStroke<Side>::ClayStroke(Edit<CornerBlock<Side>>& edit, const FieldScale& sc
   state_->tool = fitted.shape;
   state_->tool.radii /= scale.spacing;
   state_->notice = fitted.notice;
+  if (tool.shape == Shape::freeform)
+    state_->sculpted = std::make_shared<SculptedDistance>(*tool.sculpture);
   state_->origin = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
   state_->images = imagesOf(stroke.symmetry);
   state_->centre = relativeTo(state_->origin, stroke.symmetry.centre, scale.spacing);
