@@ -30,6 +30,8 @@ class Layer {
  public:
   virtual ~Layer() = default;
   virtual void run(Work& work) = 0;
+  /// After the last step of a stroke.
+  virtual void finish(Work&) {}
 };
 
 std::unique_ptr<Layer> makeLayer(LayerKind kind, Scheme scheme);

@@ -7,7 +7,7 @@
 namespace bozzetto::clay {
 namespace {
 
-constexpr float kOverRelaxation = 1.85f, kMostMove = 0.9f;
+constexpr float kOverRelaxation = 1.85f;
 constexpr auto kAir = static_cast<std::uint8_t>(CellType::air);
 constexpr auto kClay = static_cast<std::uint8_t>(CellType::clay);
 constexpr auto kClosed = static_cast<std::uint8_t>(CellType::closed);
@@ -95,23 +95,57 @@ void sweep(Region& region, int colour, float relaxation) {
   swap(region.pressure, region.pressureNext);
 }
 
+struct GradientRow {
+  const std::uint8_t* type;
+  const float* pressure;
+  float* face;
+  std::uint8_t* known;
+  std::ptrdiff_t step;
+  int count;
+  std::uint8_t bit;
+};
+
+// Branches are masks: clay = 1, closed and gripped have bit 1.
+BOZZETTO_KERNEL void gradientKernel(const GradientRow& row) {
+  const std::uint8_t *own = row.type, *next = row.type + row.step;
+  const float *p = row.pressure, *q = row.pressure + row.step;
+  for (int n = 0; n < row.count; ++n) {
+    const int open = 1 - ((own[n] | next[n]) >> 1 & 1);
+    const int clay = (own[n] | next[n]) & open;
+    row.face[n] -= static_cast<float>(clay) * (q[n] - p[n]);
+  }
+  for (int n = 0; n < row.count; ++n) {
+    const int both = own[n] | next[n], open = 1 - (both >> 1 & 1);
+    const int gripped = (own[n] == kGripped ? 1 : 0) | (next[n] == kGripped ? 1 : 0);
+    row.known[n] |= static_cast<std::uint8_t>(((both & open) | gripped) * row.bit);
+  }
+}
+
+BOZZETTO_SIMD_DISPATCH(void, gradientRow, gradientKernel, (const GradientRow& row), (row))
+
 // u ← u − ∇P at faces of clay; mark tells which faces are known (bit a for axis a).
 void subtractGradient(Region& region) {
-  const auto& step = region.strides();
   forRows(region.rows(), [&](const Row& row) {
-    for (std::size_t n = row.base; n < row.base + row.count; ++n) {
-      std::uint8_t known = 0;
-      const std::uint8_t own = region.type[n];
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::uint8_t next = region.type[n + step[axis]];
-        if (own == kGripped || next == kGripped) known |= static_cast<std::uint8_t>(1 << axis);
-        if (own >= kClosed || next >= kClosed || (own != kClay && next != kClay)) continue;
-        region.face[axis][n] -= region.pressure[n + step[axis]] - region.pressure[n];
-        known |= static_cast<std::uint8_t>(1 << axis);
-      }
-      region.mark[n] = known;
-    }
+    std::fill_n(&region.mark[row.base], row.count, std::uint8_t{0});
+    std::fill_n(&region.mark2[row.base], row.count, std::uint8_t{0});
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      gradientRow({&region.type[row.base], &region.pressure[row.base], &region.face[axis][row.base],
+                   &region.mark[row.base], region.strides()[axis], row.count,
+                   static_cast<std::uint8_t>(1 << axis)});
   });
+}
+
+// Eight faces at a time: most are known, or in air.
+bool nothingToLearn(const Region& region, const Cells<std::uint8_t>& known, std::size_t n,
+                    std::size_t axis) {
+  std::uint64_t marks;
+  std::memcpy(&marks, &known[n], 8);
+  const std::uint64_t wanted = 0x0101010101010101u << axis;
+  if ((marks & wanted) == wanted) return true;
+  float sum = 0;
+  for (std::size_t k = n; k < n + 8; ++k)
+    sum += region.value[k] + region.value[k + region.strides()[axis]];
+  return sum <= 0;
 }
 
 // Thin matter outside the clay moves with the faces next to it.
@@ -121,6 +155,10 @@ void extrapolate(Region& region, std::size_t axis, const Cells<std::uint8_t>& kn
   const auto bit = static_cast<std::uint8_t>(1 << axis);
   forRows(region.rows(), [&](const Row& row) {
     for (std::size_t n = row.base; n < row.base + row.count; ++n) {
+      if ((n - row.base) % 8 == 0 && nothingToLearn(region, known, n, axis)) {
+        n += 7;
+        continue;
+      }
       if (((known[n] | learnt[n]) & bit) != 0) continue;
       if (region.value[n] + region.value[n + step] <= 0) continue;
       if (region.type[n] == kClosed || region.type[n + step] == kClosed) continue;
@@ -135,13 +173,27 @@ void extrapolate(Region& region, std::size_t axis, const Cells<std::uint8_t>& kn
   });
 }
 
-void limitFaces(Region& region) {
-  for (auto& face : region.face)
-    forRows(region.rows(), [&](const Row& row) {
-      for (std::size_t n = row.base; n < row.base + row.count; ++n)
-        face[n] = std::clamp(face[n], -kMostMove, kMostMove);
-    });
+struct TypeRow {
+  const float *value, *cover;
+  const std::uint8_t* hold;
+  std::uint8_t* type;
+  float *pressure, *pressureNext;
+  int count;
+};
+
+BOZZETTO_KERNEL void typeKernel(const TypeRow& row) {
+  for (int n = 0; n < row.count; ++n) {
+    const int clay = row.value[n] >= 0.5f ? 1 : 0;
+    const int closed = (row.hold[n] == kFixed ? 1 : 0) | (row.cover[n] > 0.5f ? 1 : 0);
+    row.type[n] = static_cast<std::uint8_t>(closed * kClosed | clay * (1 - closed));
+  }
+  for (int n = 0; n < row.count; ++n) {
+    row.pressure[n] *= row.type[n] == kClay ? 1.0f : 0.0f;
+    row.pressureNext[n] = 0;
+  }
 }
+
+BOZZETTO_SIMD_DISPATCH(void, typeRow, typeKernel, (const TypeRow& row), (row))
 
 }  // namespace
 
@@ -150,23 +202,22 @@ void findTypes(Work& work) {
   bool grips = false;
   for (const PlacedTool& tool : work.moving) grips = grips || tool.role == Role::grip;
   forRows(region.rows(), [&](const Row& row) {
-    for (std::size_t n = row.base; n < row.base + row.count; ++n) {
-      std::uint8_t type = region.value[n] >= 0.5f ? kClay : kAir;
-      if (grips && region.owner[n] >= kMoving && region.value[n] >= kThin &&
-          work.moving[region.owner[n] - kMoving].role == Role::grip)
-        type = kGripped;
-      if (region.hold[n] == kFixed || region.cover[n] > 0.5f) type = kClosed;
-      region.type[n] = type;
-      region.pressure[n] = type == kClay ? region.pressure[n] : 0.0f;
-      region.pressureNext[n] = 0;
-    }
+    typeRow({&region.value[row.base], &region.cover[row.base], &region.hold[row.base],
+             &region.type[row.base], &region.pressure[row.base], &region.pressureNext[row.base],
+             row.count});
+    if (!grips) return;
+    for (std::size_t n = row.base; n < row.base + row.count; ++n)
+      if (region.owner[n] >= kMoving && region.value[n] >= kThin && region.type[n] != kClosed &&
+          work.moving[region.owner[n] - kMoving].role == Role::grip) {
+        region.type[n] = kGripped;
+        region.pressure[n] = 0;
+      }
   });
 }
 
 void followWish(Work& work) {
   findTypes(work);
   for (std::size_t axis = 0; axis < 3; ++axis) findFaces(work.region, axis);
-  limitFaces(work.region);
   work.region.wished = false;
 }
 
@@ -178,9 +229,6 @@ void project(Work& work, const SolverOptions& options) {
   for (int n = 0; n < 2 * (options.sweeps + options.settlingSweeps); ++n)
     sweep(region, n % 2, n < 2 * options.sweeps ? kOverRelaxation : 1.0f);
   subtractGradient(region);
-  forRows(region.rows(), [&](const Row& row) {
-    std::fill_n(&region.mark2[row.base], row.count, std::uint8_t{0});
-  });
   // Two rings of faces, the second from both.
   for (std::size_t axis = 0; axis < 3; ++axis) extrapolate(region, axis, region.mark, region.mark2);
   forRows(region.rows(), [&](const Row& row) {
@@ -190,7 +238,6 @@ void project(Work& work, const SolverOptions& options) {
     }
   });
   for (std::size_t axis = 0; axis < 3; ++axis) extrapolate(region, axis, region.mark, region.mark2);
-  limitFaces(region);
   forRows(region.rows(), [&](const Row& row) {
     std::fill_n(&region.mark[row.base], row.count, std::uint8_t{0});
     std::fill_n(&region.mark2[row.base], row.count, std::uint8_t{0});

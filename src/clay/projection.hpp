@@ -7,8 +7,8 @@
 namespace bozzetto::clay {
 
 struct SolverOptions {
-  int sweeps = 20;         ///< red-black, over-relaxed by 1.85, from the last step's pressure
-  int settlingSweeps = 4;  ///< without over-relaxation: no checkerboard remains
+  int sweeps = 12;         ///< red-black, over-relaxed by 1.85, from the last step's pressure
+  int settlingSweeps = 3;  ///< without over-relaxation: no checkerboard remains
 };
 
 /// From region.wish (0 when nothing is wished) to region.face.

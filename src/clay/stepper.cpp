@@ -37,6 +37,7 @@ class Tension final : public Layer {
       sweepDust(work);
     if (work.step % kCrumbInterval == kCrumbInterval - 1) crumbs_.run(work);
   }
+  void finish(Work& work) override { crumbs_.run(work); }
 
  private:
   Scheme scheme_;
@@ -72,6 +73,11 @@ Stepper::Stepper(const Settings& settings) {
 void Stepper::begin(Region& region, const std::vector<PlacedTool>& supports) {
   region.refreshRows(true);
   painter_.paintStatic(region, supports);
+}
+
+void Stepper::finish(Work& work) {
+  for (const auto& layer : layers_) layer->finish(work);
+  work.region.refreshRows();
 }
 
 void Stepper::step(Work& work) {

@@ -9,6 +9,8 @@ class Stepper {
   explicit Stepper(const Settings& settings);
   /// The region's static tools are painted already.
   void step(Work& work);
+  /// After the last.
+  void finish(Work& work);
   /// For a region just loaded.
   void begin(Region& region, const std::vector<PlacedTool>& supports);
 

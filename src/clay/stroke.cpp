@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kStepCells = 0.5;  // clay.md §3.0
 constexpr double kFluid = 0.1;      // less stiffness than this leads nobody far
-constexpr double kFluidReach = 2;   // × radius: how far round the tool fluid clay gives way
+constexpr double kFluidReach = 1;   // × radius: how far round the tool fluid clay gives way
 constexpr std::int32_t kRoom = 2;   // tiles of air round the clay of a region
-constexpr std::int32_t kSlack = 2;  // tiles a tool may move before its region does
+constexpr std::int32_t kSlack = 1;  // tiles a tool may move before its region does
 
 PlacedTool place(std::unique_ptr<Solid> solid, const DabPose& pose, Role role) {
   PlacedTool tool;
@@ -321,6 +321,22 @@ const std::string& ClayStroke<Side>::notice() const {
 template <int Side>
 StepReport ClayStroke<Side>::step(std::int64_t n) {
   return state_->step(n);
+}
+
+template <int Side>
+void ClayStroke<Side>::finish() {
+  if (!state_->region) return;
+  const std::vector<PlacedTool> none;
+  StepReport report;
+  Work work{*state_->region,
+            none,
+            state_->supports,
+            state_->origin,
+            state_->setup.settings,
+            state_->iso,
+            0,
+            report};
+  state_->stepper.finish(work);
 }
 
 template <int Side>

@@ -16,6 +16,13 @@ struct RowSource {
   std::ptrdiff_t other[2];  // to the next cells of the other axes
 };
 
+constexpr float kMostMove = 0.9f;  // cells a step: a cell never gives what it has not
+
+BOZZETTO_KERNEL float limited(float u) {
+  const float low = u > -kMostMove ? u : -kMostMove;
+  return low < kMostMove ? low : kMostMove;
+}
+
 BOZZETTO_KERNEL float sizeOf(float x) {
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(x) & 0x7fffffff);
 }
@@ -42,8 +49,8 @@ BOZZETTO_KERNEL float fluxOut(float density, float slope, float u, float back) {
   const bool mixed = density > 1e-5f && density < 1.0f - 1e-5f;
   const float blend = mixed ? up + weight * (sharp - up) : up;
   const float most = back > 0 ? density * (u / (u + back)) - kQuantum : density;
-  const float limited = blend < most ? blend : most;
-  return limited > 0 ? limited : 0.0f;
+  const float given = blend < most ? blend : most;
+  return given > 0 ? given : 0.0f;
 }
 
 struct FluxRow {
@@ -61,11 +68,11 @@ BOZZETTO_KERNEL void fluxKernel(const FluxRow& row) {
          next);
   const float* v = row.source.v;
   for (int n = 0; n < row.count; ++n) {
-    const float u = row.face[n];
+    const float u = limited(row.face[n]);
     const bool forward = u > 0;
     const float density = forward ? v[n] : v[n + along];
     const float slope = forward ? own[n] : -next[n];
-    const float other = forward ? -row.face[n - along] : row.face[n + along];
+    const float other = limited(forward ? -row.face[n - along] : row.face[n + along]);
     const float out = fluxOut(density, slope, sizeOf(u), other > 0 ? other : 0.0f);
     const float whole = quantised(out);
     const float kept = whole < density ? whole : density;
@@ -75,11 +82,13 @@ BOZZETTO_KERNEL void fluxKernel(const FluxRow& row) {
 
 BOZZETTO_SIMD_DISPATCH(void, fluxRow, fluxKernel, (const FluxRow& row), (row))
 
-bool still(const float* face, int count) {
-  float most = 0;
-  for (int n = 0; n < count; ++n) most = std::max(most, std::abs(face[n]));
-  return most == 0;
+BOZZETTO_KERNEL bool stillKernel(const float* face, int count) {
+  std::uint32_t any = 0;
+  for (int n = 0; n < count; ++n) any |= std::bit_cast<std::uint32_t>(face[n]) << 1;
+  return any == 0;
 }
+
+BOZZETTO_SIMD_DISPATCH(bool, still, stillKernel, (const float* face, int count), (face, count))
 
 void findFluxes(Region& region, std::size_t axis) {
   const auto& step = region.strides();

@@ -45,7 +45,10 @@ class ClayDabs final : public DabMaker<Side> {
     if (shows_) report.changed = stroke_.store();
     return report;
   }
-  void finish() override { stroke_.store(); }
+  void finish() override {
+    stroke_.finish();
+    stroke_.store();
+  }
 
  private:
   bool shows_;

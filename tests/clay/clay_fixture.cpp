@@ -122,6 +122,7 @@ std::int64_t run(Clay& clay, const Push& push) {
   Edit<CornerBlock<8>> edit(clay.tree);
   ClayStroke<8> stroke(edit, clay.scale, push.tool, {push.role, 0.5}, push.stroke, push.setup);
   for (std::int64_t n = 0; n < stroke.stepCount(); ++n) stroke.step(n);
+  stroke.finish();
   stroke.store();
   edit.commit();
   return stroke.stepCount();

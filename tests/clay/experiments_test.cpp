@@ -38,7 +38,7 @@ Stroke arc(glm::dvec3 start, glm::dvec3 hinge, double angle, int points) {
   return stroke;
 }
 
-TEST(Experiments, BendByRotatingGrip) {
+TEST(Experiments, SlowBendByRotatingGrip) {
   Clay clay;
   addSolid(clay, Shape::box, {48, 65, 12}, {36, 5, 5});
   holdBox(clay, {8, 55, 0}, {23, 75, 24});
@@ -60,7 +60,7 @@ TEST(Experiments, BendByRotatingGrip) {
   EXPECT_LT(after.thickness, 2.4);
 }
 
-TEST(Experiments, PrintOfABall) {
+TEST(Experiments, SlowPrintOfABall) {
   Clay clay;
   addSolid(clay, Shape::box, {36, 14.5, 36}, {30, 12.5, 30});
   holdBox(clay, {0, 0, 0}, {72, 4, 72});
@@ -82,7 +82,7 @@ TEST(Experiments, PrintOfABall) {
   std::cout << "\n";
 }
 
-TEST(Experiments, Plough) {
+TEST(Experiments, SlowPlough) {
   Clay clay;
   addSolid(clay, Shape::box, {48, 12, 32}, {44, 10, 26});
   holdBox(clay, {0, 0, 0}, {95, 4, 63});
@@ -94,7 +94,7 @@ TEST(Experiments, Plough) {
   tell("plough", before, measure(clay), steps, s);
 }
 
-TEST(Experiments, Stretch) {
+TEST(Experiments, SlowStretch) {
   Clay clay;
   addSolid(clay, Shape::box, {32, 16, 16}, {24, 6, 6});
   holdBox(clay, {0, 0, 0}, {15, 31, 31});

@@ -54,6 +54,9 @@ class ClayStroke {
   /// Makes the n-th step; they are made in order. O(clay within reach).
   StepReport step(std::int64_t n);
 
+  /// After the last step: eats the last crumbs.
+  void finish();
+
   /// Writes what has changed since the last call to the edit; returns the keys of changed blocks
   /// in order. Call it when the clay is to be seen, and at the end.
   std::vector<KeyRun> store();

@@ -1,0 +1,301 @@
+// Laws: what holds whatever is done to the clay.
+#include "bozzetto/base/parallel.hpp"
+#include "bozzetto/clay/hold.hpp"
+#include "clay/clay_fixture.hpp"
+
+namespace bozzetto::clay::testing {
+namespace {
+
+Clay slab() {
+  Clay clay;
+  addSolid(clay, Shape::box, {0, 0, 0}, {18, 7, 14});
+  return clay;
+}
+
+// A press that slides and turns.
+Push press(double stiffness = 0.6) {
+  Push push{toolOf(Shape::capsule, {5, 9, 4}), Role::push, {}, {}};
+  push.stroke.points = {{{-6, 17, 0}, 1}, {{-6, 11, 0}, 1}, {{4, 9.5, 2}, 1}};
+  push.stroke.rotations = {{1, 0, 0, 0}, {0.9, 0, 0.2, 0.1}, {0.8, 0.2, 0.3, 0}};
+  push.setup.settings.stiffness = stiffness;
+  return push;
+}
+
+std::uint64_t after(Clay clay, const Push& push) {
+  run(clay, push);
+  EXPECT_EQ(validate(clay), std::nullopt);
+  return fieldHash(clay);
+}
+
+Settings layersOf(std::vector<LayerKind> layers, Scheme scheme = Scheme::projected) {
+  Settings settings;
+  settings.layers = std::move(layers);
+  settings.scheme = scheme;
+  return settings;
+}
+
+const std::vector<Settings>& everyKind() {
+  using enum LayerKind;
+  static const std::vector<Settings> all = [] {
+    std::vector<Settings> kinds{layersOf({displacement, conservation, tension}),
+                                layersOf({displacement, conservation, tension}, Scheme::paper),
+                                layersOf({displacement}),
+                                layersOf({tension, conservation}),
+                                layersOf({diffusion}),
+                                layersOf({automaton}),
+                                layersOf({displacement, automaton, tension, diffusion})};
+    Settings viscous = layersOf({diffusion});
+    viscous.viscosity = 4;
+    viscous.profile = kGaussian;
+    kinds.push_back(viscous);
+    return kinds;
+  }();
+  return all;
+}
+
+TEST(Laws, SlowMatterIsKeptByEveryLayer) {
+  for (const Settings& settings : everyKind()) {
+    Clay clay = slab();
+    const double before = statistics(clay).mass;
+    Push push = press();
+    push.setup.settings = settings;
+    run(clay, push);
+    EXPECT_NEAR(statistics(clay).mass / before, 1, 1e-7) << toText(settings.layers.front());
+    EXPECT_EQ(validate(clay), std::nullopt);
+  }
+}
+
+TEST(Laws, SlowThreadsDoNotShow) {
+  for (const Settings& settings : everyKind()) {
+    Push push = press();
+    push.setup.settings = settings;
+    setThreadCount(1);
+    const std::uint64_t one = after(slab(), push);
+    setThreadCount(3);
+    const std::uint64_t three = after(slab(), push);
+    setThreadCount(0);
+    EXPECT_EQ(one, three) << toText(settings.layers.front());
+  }
+}
+
+TEST(Laws, SlowBlocksOfOneCornerGiveTheSame) {
+  Field<1> single = withSide<1>(slab());
+  const Push push = press();
+  Edit<CornerBlock<1>> edit(single.tree);
+  ClayStroke<1> stroke(edit, single.scale, push.tool, {push.role, 0.5}, push.stroke, push.setup);
+  for (std::int64_t n = 0; n < stroke.stepCount(); ++n) stroke.step(n);
+  stroke.finish();
+  stroke.store();
+  edit.commit();
+  EXPECT_EQ(fieldHash(single), after(slab(), push));
+}
+
+// The same way, asked four times as often (30 or 120 points a second).
+TEST(Laws, SamplingDoesNotShow) {
+  Push rare = press(), dense = press();
+  rare.stroke.rotations.clear();
+  dense.stroke.rotations.clear();
+  dense.stroke.points.clear();
+  for (std::size_t n = 0; n + 1 < rare.stroke.points.size(); ++n)
+    for (int k = 0; k < 4; ++k)
+      dense.stroke.points.push_back(
+          {glm::mix(rare.stroke.points[n].position, rare.stroke.points[n + 1].position, k / 4.0),
+           1});
+  dense.stroke.points.push_back(rare.stroke.points.back());
+  EXPECT_EQ(after(slab(), rare), after(slab(), dense));
+}
+
+TEST(Laws, PointsThatComeLaterGiveTheSameStroke) {
+  Push push = press();
+  push.stroke.rotations.clear();
+  Clay clay = slab();
+  Edit<CornerBlock<8>> edit(clay.tree);
+  Stroke begin = push.stroke;
+  begin.points.resize(1);
+  ClayStroke<8> stroke(edit, clay.scale, push.tool, {push.role, 0.5}, begin, push.setup);
+  std::int64_t made = 0;
+  for (std::size_t n = 1; n < push.stroke.points.size(); ++n) {
+    stroke.extend({&push.stroke.points[n], 1});
+    while (made < stroke.sureSteps()) stroke.step(made++);
+    stroke.store();
+  }
+  while (made < stroke.stepCount()) stroke.step(made++);
+  stroke.finish();
+  stroke.store();
+  edit.commit();
+  EXPECT_EQ(fieldHash(clay), after(slab(), push));
+}
+
+TEST(Laws, SlowStrokesMoveWithTheGrid) {
+  Clay far;
+  const glm::dvec3 way(1 << 20, -(1 << 20), 1 << 18);
+  addSolid(far, Shape::box, way, {18, 7, 14});
+  Push push = press();
+  for (StrokePoint& point : push.stroke.points) point.position += way;
+  run(far, push);
+  Clay near = slab();
+  run(near, press());
+  const Key moved{1 << 20, -(1 << 20), 1 << 18};
+  for (int n = 0; n < 40 * 24 * 32; n += 7) {
+    const Key key{n / (24 * 32) - 20, n / 32 % 24 - 12, n % 32 - 16};
+    ASSERT_EQ(near.value(key), far.value(key + moved)) << toText(key);
+  }
+}
+
+TEST(Laws, SlowHeldClayStays) {
+  for (const Settings& settings : everyKind()) {
+    Clay clay = slab();
+    {
+      Edit<CornerBlock<8>> edit(clay.tree);
+      holdClay<8>(edit, {{-30, -30, -30}, {-2, 30, 30}}, 1);
+      edit.commit();
+    }
+    const Clay before = clay;
+    Push push = press();
+    push.setup.settings = settings;
+    run(clay, push);
+    for (int n = 0; n < 16 * 24 * 32; ++n) {
+      const Key key{n / (24 * 32) - 18, n / 32 % 24 - 12, n % 32 - 16};
+      if (before.value(key) > 0) {
+        ASSERT_EQ(before.value(key), clay.value(key)) << toText(key);
+      }
+    }
+  }
+}
+
+TEST(Laws, ReleasedClayIsAsItWas) {
+  Clay clay = slab();
+  const std::uint64_t before = fieldHash(clay);
+  Edit<CornerBlock<8>> edit(clay.tree);
+  holdClay<8>(edit, {{-9, -9, -9}, {5, 5, 5}}, 0.5);
+  edit.commit();
+  EXPECT_EQ(holdOf(clay.attributes({0, 0, 0})), 128);
+  EXPECT_EQ(holdOf(clay.attributes({6, 0, 0})), 0);
+  releaseClay<8>(edit);
+  edit.commit();
+  EXPECT_EQ(fieldHash(clay), before);
+  EXPECT_THROW(holdClay<8>(edit, {}, 2), Error);
+}
+
+// What the tool covers wholly is empty where the clay has room to go.
+TEST(Laws, SlowToolsLeaveNoRoom) {
+  for (const double stiffness : {0.0, 0.5, 1.0}) {
+    Clay clay;
+    addSolid(clay, Shape::ellipsoid, {0, 0, 0}, {20, 20, 20});
+    holdBox(clay, {-30, -30, -30}, {30, -12, 30});
+    Push push{toolOf(Shape::ellipsoid, {7, 7, 7}), Role::push, {}, {}};
+    push.setup.settings.stiffness = stiffness;
+    push.stroke.points = {{{0, 30, 0}, 1}, {{0, 20, 3}, 1}};
+    run(clay, push);
+    for (int n = 0; n < 9 * 9 * 9; ++n) {
+      const Key key{n / 81 - 4, n / 9 % 9 + 16, n % 9 - 1};
+      const double i = key.i, j = key.j - 20, k = key.k - 3;
+      if (i * i + j * j + k * k > 6 * 6) continue;
+      EXPECT_LT(clay.value(key), 0.01) << toText(key) << " stiffness " << stiffness;
+    }
+  }
+}
+
+TEST(Laws, NothingTunnelsThroughThinTools) {
+  Clay clay;
+  addSolid(clay, Shape::box, {0, 0, 0}, {14, 3, 14});
+  Push push{toolOf(Shape::box, {9, 2, 9}), Role::push, {}, {}};
+  push.setup.settings.stiffness = 0.3;
+  push.stroke.points = {{{0, 8, 0}, 1}, {{0, -8, 0}, 1}};
+  run(clay, push);
+  double above = 0;
+  for (int n = 0; n < 13 * 8 * 13; ++n)
+    above += clay.value({n / (8 * 13) - 6, n / 13 % 8 - 5, n % 13 - 6});
+  EXPECT_LT(above, 1);
+}
+
+TEST(Laws, ColoursTravelWithTheClay) {
+  Clay clay;
+  addSolid(clay, Shape::box, {0, 0, 0}, {10, 6, 6}, {200, 0, 0});
+  addSolid(clay, Shape::box, {20, 0, 0}, {10.5, 6, 6}, {0, 0, 200});
+  Push push{toolOf(Shape::box, {40, 10, 10}), Role::grip, {}, {}};
+  push.setup.settings.stiffness = 1;
+  push.stroke.points = {{{10, 0, 0}, 1}, {{10, 0, 15}, 1}};
+  run(clay, push);
+  EXPECT_EQ(colourOf(clay.attributes({0, 0, 15})), (Colour{200, 0, 0}));
+  EXPECT_EQ(colourOf(clay.attributes({20, 0, 15})), (Colour{0, 0, 200}));
+  EXPECT_LT(measure(clay).thickness, 2.6);
+}
+
+TEST(Laws, FreePiecesMoveRigidly) {
+  Clay clay;
+  addSolid(clay, Shape::ellipsoid, {0, 0, 0}, {13, 13, 13});
+  const Measures before = measure(clay);
+  Push push{toolOf(Shape::box, {20, 20, 20}), Role::grip, {}, {}};
+  push.setup.settings.stiffness = 0.5;
+  push.stroke.points = {{{0, 0, 0}, 1}, {{16, 12, 0}, 1}};
+  run(clay, push);
+  const Measures after = measure(clay);
+  EXPECT_NEAR(after.volume / before.volume, 1, 0.01);
+  EXPECT_LT(after.thickness, 2.3);
+  EXPECT_NEAR(after.centre.x - before.centre.x, 16, 0.05);
+  EXPECT_NEAR(after.centre.y - before.centre.y, 12, 0.05);
+}
+
+TEST(Laws, MirroredStrokesGiveMirroredClay) {
+  Clay clay = slab();
+  Push push{toolOf(Shape::ellipsoid, {5, 5, 5}), Role::push, {}, {}};
+  push.stroke.points = {{{9, 16, 0}, 1}, {{9, 8, 0}, 1}};
+  push.stroke.symmetry.mirror[0] = true;
+  run(clay, push);
+  double worst = 0;
+  for (int n = 0; n < 26 * 32 * 36; ++n) {
+    const Key key{n / (32 * 36), n / 36 % 32 - 12, n % 36 - 18};
+    worst = std::max(
+        worst, std::abs(static_cast<double>(clay.value(key)) - clay.value({-key.i, key.j, key.k})));
+  }
+  EXPECT_LT(worst, 0.05);
+}
+
+TEST(Laws, RefusesWhatMakesNoSense) {
+  Clay clay = slab();
+  Edit<CornerBlock<8>> edit(clay.tree);
+  Push push = press();
+  push.stroke.rotations.pop_back();
+  const auto begin = [&] {
+    ClayStroke<8>(edit, clay.scale, push.tool, {push.role, 0.5}, push.stroke, push.setup);
+  };
+  EXPECT_THROW(begin(), Error);
+  push = press();
+  push.setup.settings.stiffness = 2;
+  EXPECT_THROW(begin(), Error);
+  push = press();
+  push.setup.supports = {{Shape::box, {0, 0, 0}, {0, 1, 1}, {1, 0, 0, 0}}};
+  EXPECT_THROW(begin(), Error);
+  push = press();
+  push.stroke.points.clear();
+  push.stroke.rotations.clear();
+  EXPECT_THROW(begin(), Error);
+}
+
+// Many small pushes at random leave neither crumbs nor dust.
+TEST(Laws, SlowRandomPushesLeaveNoCrumbsAndNoDust) {
+  Clay clay;
+  addSolid(clay, Shape::ellipsoid, {0, 0, 0}, {18, 18, 18});
+  const Measures before = measure(clay);
+  std::uint32_t state = 7;
+  const auto random = [&] {
+    state = state * 1664525u + 1013904223u;
+    return static_cast<double>(state >> 8) / (1 << 24) * 2 - 1;
+  };
+  for (int n = 0; n < 60; ++n) {
+    Push push{toolOf(Shape::ellipsoid, {4, 4, 4}), Role::push, {}, {}};
+    push.setup.settings.stiffness = 0.3;
+    glm::dvec3 way(random(), random(), random());
+    way *= 1 / std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z + 1e-9);
+    push.stroke.points = {{way * 24.0, 1}, {way * 18.0, 1}};
+    run(clay, push);
+  }
+  const Measures after = measure(clay);
+  EXPECT_NEAR(after.mass / before.mass, 1, 1e-6);
+  EXPECT_EQ(after.pieces, 1);
+  EXPECT_LT(static_cast<double>(after.stored), 1.5 * static_cast<double>(before.stored));
+}
+
+}  // namespace
+}  // namespace bozzetto::clay::testing
