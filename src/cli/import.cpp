@@ -4,6 +4,7 @@
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/io/mesh_file.hpp"
 #include "bozzetto/io/voxelise.hpp"
+#include "bozzetto/render/thumbnail.hpp"
 #include "bozzetto/scene/scene_file.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/subcommands.hpp"
@@ -42,6 +43,7 @@ void run(const Arguments& arguments) {
   Edit<CornerBlock<8>> edit(document.field.tree);
   const ImportReport report = voxelise(mesh, options, edit, progress);
   edit.commit();
+  document.parts.thumbnail = thumbnailOf(document.field);
   saveScene(arguments.out, document, progress);
   progress.clear();
   if (!isStandardOutput(arguments.out)) tell(report);

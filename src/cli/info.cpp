@@ -24,7 +24,8 @@ Json boundsOf(const MeshReport& mesh) {
   return {{"min", listOf(mesh.bounds.min)}, {"max", listOf(mesh.bounds.max)}};
 }
 
-Json describe(const std::string& path, const Clay& clay) {
+Json describe(const std::string& path, const Document& document) {
+  const Clay& clay = document.field;
   Surface<8> surface;
   surface.rebuild(clay);
   const SurfaceStatistics shape = statistics(surface, clay);
@@ -46,13 +47,14 @@ Json describe(const std::string& path, const Clay& clay) {
           {"field_hash", hexDigits(fieldHash(clay))},
           {"bytes_memory", matter.bytes + surface.bytes()},
           {"bytes_file", std::filesystem::file_size(path)},
-          {"history_steps", 0}};
+          {"history_steps", 0},
+          {"bytes_thumbnail", document.parts.thumbnail.size()}};
 }
 
 void run(const std::string& path, bool json) {
   ProgressBar progress;
   const Document document = loadScene(path, progress);
-  const Json description = describe(path, document.field);
+  const Json description = describe(path, document);
   progress.clear();
   if (json) {
     fmt::print("{}\n", description.dump());

@@ -5,6 +5,7 @@
 
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/base/parallel.hpp"
+#include "bozzetto/render/thumbnail.hpp"
 #include "bozzetto/scene/scene_file.hpp"
 #include "bozzetto/sculptor/recording.hpp"
 #include "bozzetto/sculptor/replay.hpp"
@@ -57,6 +58,7 @@ void run(const Arguments& arguments) {
   if (arguments.spacing != 0) options.spacing = arguments.spacing;
   const ReplayResult result = replay(recording, document.field, options, progress);
   document.field = result.field;
+  document.parts.thumbnail = thumbnailOf(document.field);
   saveScene(arguments.out, document, progress);
   if (!arguments.stats.empty()) writeStatistics(arguments.stats, result.reports);
 }
