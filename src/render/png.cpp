@@ -65,15 +65,16 @@ void expandToRgba(Reader& reader) {
 
 }  // namespace
 
-Bytes encodePng(const Image& image) {
+Bytes encodePng(const Image& image, PngEffort effort) {
   if (image.pixels.empty()) throw Error("PNG: empty image");
   const bool opaque = std::all_of(image.pixels.begin(), image.pixels.end(),
                                   [](const Image::Pixel& p) { return p[3] == 255; });
   ByteWriter out;
   Writer writer;
   png_set_write_fn(writer.png, &out, appendBytes, nullptr);
-  png_set_compression_level(writer.png, 9);
-  png_set_filter(writer.png, 0, PNG_ALL_FILTERS);
+  const bool small = effort == PngEffort::small;
+  png_set_compression_level(writer.png, small ? 9 : 3);
+  png_set_filter(writer.png, 0, small ? PNG_ALL_FILTERS : PNG_FILTER_SUB);
   png_set_IHDR(writer.png, writer.info, png_uint_32(image.width), png_uint_32(image.height), 8,
                opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

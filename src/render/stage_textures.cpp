@@ -12,10 +12,11 @@ void requireComplete() {
   }
 }
 
-// The standard studio's takes 0.2 s: once, not per renderer.
+// The standard studio's takes 0.2 s when good: once, not per renderer.
 SphereMap standardMap(const Surroundings& surroundings, MapQuality quality) {
   static const Surroundings standard{Studio()};
   if (surroundings != standard) return reflectionMap(surroundings, quality);
+  if (quality == MapQuality::quick) return reflectionMap(standard, quality);
   static const SphereMap map = reflectionMap(standard, MapQuality::good);
   return map;
 }

@@ -74,7 +74,8 @@ Bytes thumbnailOf(const Clay& clay) {
     PictureOptions options;
     options.width = options.height = kPixels;
     options.slices = 1;
-    return encodePng(renderPicture(surface, small, options));
+    options.look.detail = Detail::baked;
+    return encodePng(renderPicture(surface, small, options), PngEffort::quick);
   } catch (const Error&) {
     return {};
   }

@@ -57,9 +57,10 @@ TEST(Cli, importsACubeWhereItIs) {
 TEST(Cli, infoHasAllItPromises) {
   const Folder folder;
   const auto info = infoOf(sceneOf(folder, kBall));
-  for (const char* key : {"corners", "bricks", "cubes", "crossing_cubes", "edges", "triangles",
-                          "components", "mass", "volume", "area", "bounds", "spacing", "iso",
-                          "field_hash", "bytes_memory", "bytes_file", "history_steps"}) {
+  for (const char* key :
+       {"corners", "bricks", "cubes", "crossing_cubes", "edges", "triangles", "components", "mass",
+        "volume", "area", "bounds", "spacing", "iso", "field_hash", "bytes_memory", "bytes_file",
+        "history_steps", "bytes_thumbnail"}) {
     EXPECT_TRUE(info.contains(key)) << key;
   }
   EXPECT_EQ(info["field_hash"].get<std::string>().size(), 16u);
@@ -67,6 +68,19 @@ TEST(Cli, infoHasAllItPromises) {
   const auto empty = infoOf(sceneOf(folder, kHeader));
   EXPECT_TRUE(empty["bounds"].is_null());
   EXPECT_EQ(empty["corners"], 0);
+  EXPECT_GT(info["bytes_thumbnail"].get<int>(), 1000);
+  EXPECT_EQ(empty["bytes_thumbnail"], 0);
+}
+
+TEST(Cli, withoutOpenGlThereIsNoThumbnailAndNoComplaint) {
+  const Folder folder;
+  const std::string recording = folder.write("r.jsonl", kBall), scene = folder / "s.bzt";
+  ASSERT_EQ(::setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nowhere", 1), 0);
+  const Outcome outcome = runProgram("replay " + recording + " -o " + scene);
+  ::unsetenv("__EGL_VENDOR_LIBRARY_DIRS");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(outcome.err.empty()) << outcome.err;
+  EXPECT_EQ(infoOf(scene)["bytes_thumbnail"], 0);
 }
 
 TEST(Cli, threadsDoNotShowInTheField) {
