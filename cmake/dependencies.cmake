@@ -13,6 +13,12 @@ find_package(meshoptimizer REQUIRED)
 find_package(Eigen3 3.4 REQUIRED)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+find_package(glfw3 3.3 REQUIRED)
+pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
+# Debian's imgui builds fonts with it.
+pkg_check_modules(freetype REQUIRED IMPORTED_TARGET freetype2)
+pkg_check_modules(x11 REQUIRED IMPORTED_TARGET x11 xi)
+find_library(SPNAV_LIBRARY spnav REQUIRED)
 
 set(BOZZETTO_THREADS Threads::Threads)
 if(BOZZETTO_WITH_TBB)

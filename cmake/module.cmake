@@ -23,10 +23,15 @@ if(BOZZETTO_SANITIZE)
 endif()
 
 # bozzetto_module(NAME [USES module...] [THIRD_PARTY target...] [PRIVATE target...])
-# Sources are src/NAME/*.cpp, public headers include/bozzetto/NAME/*.hpp.
+# Sources are src/NAME/*.cpp (of ui: ui/*.cpp), public headers include/bozzetto/NAME/*.hpp.
 function(bozzetto_module NAME)
   cmake_parse_arguments(ARG "" "" "USES;THIRD_PARTY;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${NAME}/*.cpp)
+  set(private ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  if(NAME STREQUAL "ui")
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/ui/*.cpp)
+    set(private ${CMAKE_CURRENT_SOURCE_DIR})
+  endif()
   if(NOT sources)
     return()
   endif()
@@ -37,7 +42,7 @@ function(bozzetto_module NAME)
   target_include_directories(bozzetto_${NAME}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+    PRIVATE ${private})
   target_compile_features(bozzetto_${NAME} PUBLIC cxx_std_20)
   target_link_libraries(bozzetto_${NAME} PRIVATE $<BUILD_INTERFACE:bozzetto_flags> ${ARG_PRIVATE})
   target_link_libraries(bozzetto_${NAME} PUBLIC ${ARG_THIRD_PARTY})

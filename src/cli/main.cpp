@@ -7,6 +7,7 @@
 #include <new>
 
 #include "bozzetto/base/error.hpp"
+#include "bozzetto/ui/window.hpp"
 #include "cli/subcommands.hpp"
 
 namespace {
@@ -14,7 +15,7 @@ namespace {
 int run(int argc, char** argv) {
   CLI::App app("Sculpts volumetric virtual clay.", "bozzetto");
   app.set_version_flag("--version", BOZZETTO_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.failure_message(CLI::FailureMessage::simple);
   bozzetto::cli::addImport(app);
   bozzetto::cli::addReplay(app);
@@ -22,8 +23,11 @@ int run(int argc, char** argv) {
   bozzetto::cli::addRender(app);
   bozzetto::cli::addInfo(app);
   bozzetto::cli::addCheck(app);
+  bozzetto::WindowOptions window;
+  app.add_option("scene", window.scene, "Opens the window: on a scene, or on a new ball of clay");
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty()) bozzetto::runWindow(window);
     return 0;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

@@ -49,8 +49,8 @@ Shot framedShot(const std::vector<UnpackedPatch>& patches, const PictureOptions&
   framing.yaw = options.yaw;
   framing.pitch = options.pitch;
   shot.stage = Stage::around(bounds);
-  shot.camera = framed(boxes, framing);
-  shot.camera.distance /= options.zoom;
+  shot.camera = options.camera.value_or(framed(boxes, framing));
+  if (!options.camera) shot.camera.distance /= options.zoom;
   return shot;
 }
 

@@ -1,8 +1,39 @@
 #include "bozzetto/sculptor/workbench.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "sculptor/timer.hpp"
 
 namespace bozzetto {
+namespace {
+
+// Sorts what was noted dab by dab and leaves each once.
+void sortOnce(std::vector<Key>& noted) {
+  std::ranges::sort(noted);
+  const auto twins = std::ranges::unique(noted);
+  noted.erase(twins.begin(), twins.end());
+}
+
+// Where undo changed a long run and a dab a block of it, the longer one counts.
+std::vector<KeyRun> withoutOverlaps(std::vector<KeyRun> runs) {
+  std::vector<KeyRun> clear;
+  for (const KeyRun& run : runs) {
+    if (!clear.empty()) {
+      KeyRun& last = clear.back();
+      const bool sameRow = last.key.i == run.key.i && last.key.j == run.key.j;
+      const std::int32_t end = last.key.k + last.length;
+      if (sameRow && run.key.k < end) {
+        last.length = std::max(end, run.key.k + run.length) - last.key.k;
+        continue;
+      }
+    }
+    clear.push_back(run);
+  }
+  return clear;
+}
+
+}  // namespace
 
 ToolShape Hand::tool(double spacing) const {
   ToolShape ball;
@@ -45,6 +76,16 @@ void Workbench<Side>::showAll() {
   if (upkeep_ == SurfaceUpkeep::none) return;
   surface_.rebuild(field_);
   shown_ = field_.tree;
+  changes_ = {.all = true, .blocks = {}, .patches = {}};
+}
+
+template <int Side>
+SurfaceChanges Workbench<Side>::takeChanges() {
+  SurfaceChanges taken = std::exchange(changes_, {});
+  std::ranges::sort(taken.blocks, {}, &KeyRun::key);
+  taken.blocks = withoutOverlaps(std::move(taken.blocks));
+  sortOnce(taken.patches);
+  return taken;
 }
 
 template <int Side>
@@ -53,10 +94,18 @@ void Workbench<Side>::refresh(std::span<const KeyRun> changed, OperationReport& 
   const Delta<Block> delta = difference(shown_, field_.tree, changed);
   {
     const Timer timer(report.msSurface);
-    surface_.refresh(field_, delta);
+    note(changed, surface_.refresh(field_, delta));
   }
   report.treated += treatedCubes(delta);
   delta.apply(shown_, Direction::forward);
+}
+
+// Until somebody takes the changes, all of it may be new: then there is nothing to note.
+template <int Side>
+void Workbench<Side>::note(std::span<const KeyRun> changed, const RefreshReport& report) {
+  if (changes_.all) return;
+  changes_.blocks.insert(changes_.blocks.end(), changed.begin(), changed.end());
+  changes_.patches.insert(changes_.patches.end(), report.changed.begin(), report.changed.end());
 }
 
 template <int Side>

@@ -48,6 +48,8 @@ inline const std::map<std::string, Names> kThirdParty{
     {"GLFW/", {"ui"}},
     {"imgui", {"ui"}},
     {"backends/imgui", {"ui"}},
+    {"X11/", {"ui"}},
+    {"spnav.h", {"ui"}},
     {"Eigen/", {"clay", "solid", "haptic"}},
     {"meshoptimizer.h", {"mesh", "io", "render"}},
 };

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "bozzetto/sculptor/replay.hpp"
 
 namespace bozzetto {
@@ -91,6 +93,39 @@ TEST(Sculptor, theSurfaceFollows) {
     anew.rebuild(sculptor.field());
     ASSERT_EQ(sculptor.surface().totals(), anew.totals()) << nameOf(operation);
   }
+}
+
+using Triangles = std::vector<std::uint16_t>;
+
+std::map<Key, Triangles> shownBy(const Surface<8>& surface) {
+  std::map<Key, Triangles> shown;
+  for (const auto& [key, run] : surface.patches()) {
+    const auto content = run.block->content();
+    shown[key] = Triangles(content.indices.begin(), content.indices.end());
+  }
+  return shown;
+}
+
+TEST(Sculptor, changesAreAllThatAViewerNeeds) {
+  Sculptor sculptor({}, SurfaceUpkeep::afterEachDab);
+  EXPECT_TRUE(sculptor.takeChanges().all);
+  std::map<Key, Triangles> seen;
+  for (const Operation& operation : mixture().operations) {
+    sculptor.apply(operation);
+    const SurfaceChanges changes = sculptor.takeChanges();
+    ASSERT_FALSE(changes.all);
+    const auto shown = shownBy(sculptor.surface());
+    for (const Key key : changes.patches) {
+      seen.erase(key);
+      if (const auto now = shown.find(key); now != shown.end()) seen.insert(*now);
+    }
+    EXPECT_EQ(seen, shown) << toText(operation);
+    for (std::size_t n = 1; n < changes.blocks.size(); ++n) {
+      const Key end = changes.blocks[n - 1].key + Key{0, 0, changes.blocks[n - 1].length};
+      EXPECT_LE(end, changes.blocks[n].key);
+    }
+  }
+  EXPECT_TRUE(sculptor.takeChanges().patches.empty());
 }
 
 TEST(Sculptor, strokesCountWhatThePaperCounts) {

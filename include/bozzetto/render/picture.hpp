@@ -16,6 +16,7 @@ struct PictureOptions {
   int width = 1280, height = 960;  ///< pixels, 16…32768
   Viewpoint viewpoint = Viewpoint::hero;
   std::optional<double> yaw, pitch;  ///< instead of the viewpoint's, radians
+  std::optional<Camera> camera;      ///< instead of all these; the picture's own height counts
   double zoom = 1;                   ///< 1 shows all clay; 2 its middle twice as large; .05…50
   Projection projection = Projection::perspective;
   Look look;

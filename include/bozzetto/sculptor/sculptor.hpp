@@ -38,6 +38,8 @@ class BasicSculptor {
   const ActionOptions& action() const { return bench_.hand.action; }
   /// The surface as of the last dab or operation. Needs upkeep.
   const Surface<Side>& surface() const { return bench_.surface(); }
+  /// What changed in clay and surface since the last call. Needs upkeep.
+  SurfaceChanges takeChanges() { return bench_.takeChanges(); }
 
  private:
   Workbench<Side> bench_;

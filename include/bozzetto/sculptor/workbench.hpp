@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "bozzetto/clay/stroke.hpp"
 #include "bozzetto/field/field.hpp"
@@ -19,6 +20,13 @@ namespace bozzetto {
 /// Whether the surface follows the field. `afterEachDab` is what a window shows and what the
 /// paper counts; without it nothing is meshed.
 enum class SurfaceUpkeep { none, afterEachDab };
+
+/// What those who show the clay have not seen yet.
+struct SurfaceChanges {
+  bool all = false;            ///< everything may be different
+  std::vector<KeyRun> blocks;  ///< of the field, sorted
+  std::vector<Key> patches;    ///< of the surface, sorted
+};
 
 /// What strokes take; no step of history.
 struct Hand {
@@ -47,6 +55,8 @@ class Workbench {
   const Field<Side>& field() const { return field_; }
   const History& history() const { return history_; }
   const Surface<Side>& surface() const { return surface_; }  ///< needs upkeep
+  /// Since the last call. Needs upkeep; empty without.
+  SurfaceChanges takeChanges();
   double mass() const;  ///< world units; a ledger, not a count: O(1)
 
   /// The solid being worked on; null when there is none.
@@ -74,10 +84,12 @@ class Workbench {
 
  private:
   void account(const Delta<Block>& delta, Direction direction);
+  void note(std::span<const KeyRun> changed, const RefreshReport& report);
 
   Field<Side> field_;
   Surface<Side> surface_;
   Tree shown_;  // what the surface shows: shares blocks with the field
+  SurfaceChanges changes_;
   History history_;
   SolidRef solid_, nextSolid_;
   SurfaceUpkeep upkeep_;

@@ -1,0 +1,157 @@
+// The whole window drawn without a display: what is seen, and what it costs.
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "bozzetto/render/offscreen.hpp"
+#include "bozzetto/render/png.hpp"
+#include "ui/canvas.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A framebuffer of the window's size with colour and depth.
+class Screen {
+ public:
+  explicit Screen(glm::dvec2 size) {
+    glGenFramebuffers(1, &framebuffer_);
+    glGenRenderbuffers(2, buffers_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    const GLenum formats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
+    const GLenum places[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+    for (int n = 0; n < 2; ++n) {
+      glBindRenderbuffer(GL_RENDERBUFFER, buffers_[n]);
+      glRenderbufferStorage(GL_RENDERBUFFER, formats[n], int(size.x), int(size.y));
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, places[n], GL_RENDERBUFFER, buffers_[n]);
+    }
+  }
+  ~Screen() {
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteRenderbuffers(2, buffers_);
+  }
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+  void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
+
+ private:
+  GLuint framebuffer_ = 0, buffers_[2] = {};
+};
+
+class Offscreen : public ::testing::Test {
+ protected:
+  Offscreen() : session_(Session::Options{}), interface_(session_), canvas_(interface_, session_) {
+    resize({1280, 800});
+    settle();
+  }
+
+  void resize(glm::dvec2 size) {
+    size_ = size;
+    screen_ = std::make_unique<Screen>(size);
+  }
+  bool frame() {
+    now_ += 1 / 30.0;
+    screen_->bind();
+    Publication fresh = interface_.frame(size_, now_);
+    return canvas_.draw(std::move(fresh), size_);
+  }
+  void settle() {
+    do {
+      frame();
+      session_.worker().waitUntilSettled();
+    } while (interface_.hasEvents() || session_.hasNews() || session_.job());
+    for (int n = 0; n < 200 && !frame(); ++n) {
+    }
+  }
+  // Kept to be looked at.
+  Image picture(const std::string& name) {
+    Image image = Canvas::readBack(size_);
+    const fs::path folder = fs::path(BOZZETTO_BINARY_DIR) / "window";
+    fs::create_directories(folder);
+    writePng(folder / (name + ".png"), image);
+    return image;
+  }
+  void moveTo(glm::dvec2 at) { interface_.post(PointerMoved{at, 1}); }
+  glm::dvec2 middle() const { return interface_.layout().viewport.centre(); }
+
+  OffscreenContext context_;
+  Session session_;
+  Interface interface_;
+  Canvas canvas_;
+  std::unique_ptr<Screen> screen_;
+  glm::dvec2 size_{1280, 800};
+  double now_ = 0;
+};
+
+int distance(const Image::Pixel& a, Colour b) {
+  return std::abs(a[0] - b.r) + std::abs(a[1] - b.g) + std::abs(a[2] - b.b);
+}
+
+TEST_F(Offscreen, panelsHaveTheirColoursAndClayIsInTheMiddle) {
+  const Image image = picture("opened");
+  EXPECT_LE(distance(image.at(640, 3), parseColour("#18191c")), 6);    // top bar
+  EXPECT_LE(distance(image.at(4, 400), parseColour("#1e2023")), 6);    // tool column
+  EXPECT_LE(distance(image.at(1276, 50), parseColour("#1e2023")), 6);  // properties
+  EXPECT_LE(distance(image.at(14, 58), parseColour("#e0764a")), 60);   // the tool in hand
+  const Image::Pixel& clay = image.at(int(middle().x), int(middle().y));
+  EXPECT_GT(clay[0], clay[2] + 30);  // terracotta
+  const Image::Pixel& air = image.at(int(middle().x), 60);
+  EXPECT_LT(std::abs(air[0] - air[2]), 20);  // the cool studio
+}
+
+TEST_F(Offscreen, nothingIsMagenta) {
+  for (const Dialog dialog : {Dialog::none, Dialog::open, Dialog::help, Dialog::unsaved}) {
+    session_.dialog = dialog;
+    settle();
+    const Image image = picture("dialog_" + std::to_string(int(dialog)));
+    int magenta = 0;
+    for (const Image::Pixel& pixel : image.pixels)
+      magenta += pixel[0] > 240 && pixel[2] > 240 && pixel[1] < 20;
+    EXPECT_EQ(magenta, 0) << int(dialog);
+  }
+}
+
+TEST_F(Offscreen, movingThePointerKeepsTheClaysPicture) {
+  moveTo(middle());
+  settle();
+  moveTo(middle() + glm::dvec2(10, 5));
+  frame();
+  EXPECT_EQ(interface_.figures.viewport.clay, FrameReport::Clay::kept);
+  EXPECT_EQ(interface_.figures.viewport.uploadedBytes, 0);
+  picture("hover");
+}
+
+TEST_F(Offscreen, aStrokeIsSeen) {
+  moveTo(middle());
+  settle();
+  const Image before = picture("stroke_before");
+  interface_.post(ButtonChanged{Button::left, true});
+  for (int n = 0; n < 30; ++n) moveTo(middle() + glm::dvec2(4 * n, -2 * n));
+  interface_.post(ButtonChanged{Button::left, false});
+  moveTo({200, 700});
+  settle();
+  const Image after = picture("stroke_after");
+  long changed = 0;
+  for (int y = 200; y < 600; ++y)
+    for (int x = 300; x < 900; ++x)
+      changed += std::abs(after.at(x, y)[0] - before.at(x, y)[0]) > 12;
+  EXPECT_GT(changed, 1500);
+}
+
+TEST_F(Offscreen, largeAndScaled) {
+  interface_.setScale(1.2f);
+  resize({1920, 1080});
+  settle();
+  session_.frameAll();
+  session_.touch();
+  settle();
+  const Image image = picture("large");
+  EXPECT_EQ(interface_.layout().tools.width(), 72);
+  EXPECT_LE(distance(image.at(4, 600), parseColour("#1e2023")), 6);
+}
+
+}  // namespace
+}  // namespace bozzetto::ui

@@ -1,0 +1,345 @@
+// The window without a window: events in, clay out.
+#include "ui/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "ui/interface.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A session behind an interface that nobody draws.
+class Null : public ::testing::Test {
+ protected:
+  Null() : session_(Session::Options{}), interface_(session_) { settle(); }
+
+  void frame() {
+    now_ += 1 / 60.0;
+    Publication fresh = interface_.frame(size_, now_);
+    uploaded_ += fresh.uploadBytes();
+  }
+  // All events read, all clay done, all of it taken.
+  void settle() {
+    do {
+      frame();
+    } while (interface_.hasEvents());
+    session_.worker().waitUntilSettled();
+    frame();
+    while (session_.job() || session_.hasNews()) {
+      session_.worker().waitUntilSettled();
+      frame();
+    }
+    frame();
+  }
+  void post(InputEvent event) { interface_.post(std::move(event)); }
+  void moveTo(glm::dvec2 at) { post(PointerMoved{at, 1}); }
+  void tap(KeyCode key) {
+    post(KeyChanged{key, true, false});
+    post(KeyChanged{key, false, false});
+  }
+  void tapCtrl(KeyCode key) {
+    post(KeyChanged{KeyCode::leftControl, true, false});
+    tap(key);
+    post(KeyChanged{KeyCode::leftControl, false, false});
+  }
+  void drag(glm::dvec2 from, glm::dvec2 to, Button button = Button::left) {
+    moveTo(from);
+    post(ButtonChanged{button, true});
+    for (int n = 1; n <= 10; ++n) moveTo(from + (to - from) * (n / 10.0));
+    post(ButtonChanged{button, false});
+    settle();
+  }
+  glm::dvec2 middle() const { return interface_.layout().viewport.centre(); }
+  double mass() { return session_.status().mass; }
+  std::size_t steps() { return session_.status().done; }
+
+  glm::dvec2 size_{1280, 800};
+  Session session_;
+  Interface interface_;
+  double now_ = 0;
+  std::size_t uploaded_ = 0;
+};
+
+TEST_F(Null, opensOnABallFramedInTheFreeViewport) {
+  EXPECT_FALSE(session_.patches().empty());
+  EXPECT_EQ(session_.dialog, Dialog::none);
+  EXPECT_EQ(session_.sculpt.action, ActionKind::add);
+  EXPECT_FALSE(session_.isModified());
+  moveTo(middle());
+  settle();
+  EXPECT_TRUE(session_.hover().ground.has_value());
+  const Layout& layout = interface_.layout();
+  EXPECT_EQ(layout.viewport.low, glm::dvec2(60, 44));
+  EXPECT_EQ(layout.viewport.high, glm::dvec2(1280 - 288, 800 - 28));
+}
+
+TEST_F(Null, aLeftDragOnTheClayAddsThere) {
+  const double before = mass();
+  drag(middle(), middle() + glm::dvec2(60, 20));
+  EXPECT_GT(mass(), before);
+  EXPECT_EQ(steps(), 2u);  // the ball, the stroke
+  EXPECT_TRUE(session_.isModified());
+  EXPECT_EQ(session_.status().last.op, "stroke");
+  // On the side that was looked at.
+  EXPECT_GT(session_.status().lastEdit.centre().z, 20);
+}
+
+TEST_F(Null, everyPointerSampleReachesTheStroke) {
+  moveTo(middle());
+  post(ButtonChanged{Button::left, true});
+  constexpr int kSamples = 137;
+  for (int n = 1; n <= kSamples; ++n) moveTo(middle() + glm::dvec2(0.5 * n, 0));
+  post(ButtonChanged{Button::left, false});
+  settle();
+  std::size_t points = 0;
+  session_.worker().post([&](ClayDesk& desk) {
+    const auto* last = std::get_if<StrokeOperation>(&desk.recording().operations.back());
+    points = last->stroke.points.size();
+  });
+  settle();
+  EXPECT_EQ(points, kSamples + 1u);
+}
+
+TEST_F(Null, ctrlInvertsAndShiftSmooths) {
+  post(KeyChanged{KeyCode::leftControl, true, false});
+  settle();
+  EXPECT_EQ(session_.actionNow(), ActionKind::remove);
+  const double before = mass();
+  drag(middle(), middle() + glm::dvec2(40, 0));
+  EXPECT_LT(mass(), before);
+  post(KeyChanged{KeyCode::leftControl, false, false});
+  post(KeyChanged{KeyCode::leftShift, true, false});
+  settle();
+  EXPECT_EQ(session_.actionNow(), ActionKind::smooth);
+  post(FocusChanged{false});
+  settle();
+  EXPECT_EQ(session_.actionNow(), ActionKind::add);
+}
+
+TEST_F(Null, undoAndRedoByKeys) {
+  const double before = mass();
+  drag(middle(), middle() + glm::dvec2(60, 20));
+  const double after = mass();
+  tapCtrl(letter('Z'));
+  settle();
+  EXPECT_DOUBLE_EQ(mass(), before);
+  tapCtrl(letter('Y'));
+  settle();
+  EXPECT_DOUBLE_EQ(mass(), after);
+}
+
+TEST_F(Null, escapeTakesAStrokeBack) {
+  const double before = mass();
+  moveTo(middle());
+  post(ButtonChanged{Button::left, true});
+  moveTo(middle() + glm::dvec2(50, 0));
+  settle();
+  tap(KeyCode::escape);
+  settle();
+  post(ButtonChanged{Button::left, false});
+  settle();
+  EXPECT_DOUBLE_EQ(mass(), before);
+  EXPECT_EQ(steps(), 1u);
+}
+
+TEST_F(Null, clayCanBeMadeInEmptyAir) {
+  const double before = mass();
+  const Rect& at = interface_.layout().viewport;
+  drag(at.low + glm::dvec2(30, 200), at.low + glm::dvec2(60, 240));
+  EXPECT_GT(mass(), before);
+}
+
+TEST_F(Null, cameraAndHoverUploadNothing) {
+  settle();
+  uploaded_ = 0;
+  const auto version = session_.status().version;
+  for (int n = 0; n < 30; ++n) {
+    moveTo(middle() + glm::dvec2(n, 2 * n));
+    frame();
+  }
+  drag(middle(), middle() + glm::dvec2(90, 40), Button::middle);
+  post(WheelTurned{{0, 2}});
+  settle();
+  EXPECT_EQ(uploaded_, 0u);
+  EXPECT_EQ(session_.status().version, version);
+}
+
+TEST_F(Null, aDabUploadsItsSurroundingsOnly) {
+  std::size_t all = 0;
+  session_.patches().forEach([&](const ShownPatch& patch) { all += patch.uploadBytes(); });
+  session_.sculpt.size = 4;
+  uploaded_ = 0;
+  drag(middle(), middle() + glm::dvec2(1, 0));
+  EXPECT_GT(uploaded_, 0u);
+  EXPECT_LT(uploaded_, all);
+}
+
+TEST_F(Null, keysOfTheToolRowAndOfSize) {
+  tap(static_cast<KeyCode>('2'));
+  settle();
+  EXPECT_EQ(session_.sculpt.action, ActionKind::remove);
+  const double size = session_.sculpt.size;
+  tap(KeyCode::rightBracket);
+  settle();
+  EXPECT_GT(session_.sculpt.size, size);
+  moveTo(middle());
+  tap(letter('F'));
+  moveTo(middle() + glm::dvec2(80, 0));
+  settle();
+  EXPECT_GT(session_.sculpt.size, 1.2 * size);
+  tap(KeyCode::escape);
+  settle();
+  EXPECT_NEAR(session_.sculpt.size, size / 0.9, 1e-9);
+}
+
+TEST_F(Null, mirroredStrokesAreSymmetric) {
+  tap(letter('X'));
+  settle();
+  ASSERT_TRUE(session_.sculpt.symmetry.mirror[0]);
+  drag(middle() + glm::dvec2(60, 0), middle() + glm::dvec2(90, 30));
+  const CellBounds edit = session_.status().lastEdit;
+  EXPECT_NEAR(edit.low.x, -edit.high.x, 8.1);
+}
+
+TEST_F(Null, savesOpensAndAsksBeforeItForgets) {
+  const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_session.bzt";
+  fs::remove(path);
+  drag(middle(), middle() + glm::dvec2(60, 20));
+  session_.saveScene(path);
+  settle();
+  ASSERT_TRUE(fs::exists(path));
+  EXPECT_FALSE(session_.isModified());
+  EXPECT_EQ(session_.path(), path);
+  const double kept = mass();
+  drag(middle(), middle() + glm::dvec2(-60, 20));
+  post(CloseAsked{});
+  settle();
+  EXPECT_EQ(session_.dialog, Dialog::unsaved);
+  EXPECT_FALSE(session_.wantsToClose());
+  tap(KeyCode::escape);
+  settle();
+  EXPECT_EQ(session_.dialog, Dialog::none);
+  session_.openScene(path);
+  settle();
+  session_.worker().post([](ClayDesk& desk) { desk.apply(SceneOperation{}); });
+  settle();
+  EXPECT_NEAR(mass(), kept, 1e-6 * kept);
+}
+
+TEST_F(Null, whatWasDoneByHandCanBeReplayed) {
+  const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_session.jsonl";
+  drag(middle(), middle() + glm::dvec2(60, 20));
+  tap(static_cast<KeyCode>('2'));
+  drag(middle(), middle() + glm::dvec2(-30, 50));
+  std::uint64_t hash = 0, again = 1;
+  const auto hashOf = [this](std::uint64_t& into) {
+    session_.worker().post([&](ClayDesk& desk) { into = fieldHash(desk.sculptor().field()); });
+    settle();
+  };
+  hashOf(hash);
+  session_.saveRecording(path);
+  settle();
+  session_.worker().post([](ClayDesk& desk) { desk.startNew(NewClay::empty); });
+  session_.replay(path);
+  settle();
+  hashOf(again);
+  EXPECT_EQ(again, hash);
+}
+
+TEST_F(Null, thePuckHoldsTheToolWhileTheMouseTurnsTheScene) {
+  session_.run(Command::moveTool);
+  moveTo(middle());
+  settle();
+  const glm::dquat looked = session_.view.worldFromView;
+  post(PuckMoved{{1, 0, 0}, {0, 0.5, 0}, 0.05});
+  settle();
+  ASSERT_TRUE(session_.heldTool().has_value());
+  EXPECT_EQ(session_.view.worldFromView, looked);
+  const glm::dvec3 held = session_.heldTool()->position;
+  drag(middle(), middle() + glm::dvec2(80, 0), Button::middle);
+  EXPECT_NE(session_.view.worldFromView, looked);
+  EXPECT_EQ(session_.heldTool()->position, held);
+  const std::size_t before = steps();
+  post(PuckButton{0, true});
+  for (int n = 0; n < 5; ++n) post(PuckMoved{{0, 0.5, 0}, {0, 0, 0}, 0.05});
+  post(PuckButton{0, false});
+  settle();
+  EXPECT_EQ(steps(), before + 1);
+  EXPECT_GT(session_.heldTool()->position.y, held.y);
+}
+
+TEST_F(Null, thePuckTurnsTheScene) {
+  const ViewState before = session_.view;
+  post(PuckMoved{{0, 0, 1}, {0, 1, 0}, 0.05});
+  settle();
+  EXPECT_LT(session_.view.distance, before.distance);
+  EXPECT_NE(session_.view.worldFromView, before.worldFromView);
+  session_.run(Command::undoView);
+  EXPECT_EQ(session_.view, before);
+}
+
+TEST_F(Null, aPenPressesIntoTheStroke) {
+  session_.sculpt.curve = {1, 0};
+  post(PointerMoved{middle(), 0.25});
+  post(ButtonChanged{Button::left, true});
+  post(PointerMoved{middle() + glm::dvec2(30, 0), 0.75});
+  post(ButtonChanged{Button::left, false});
+  settle();
+  std::vector<StrokePoint> points;
+  session_.worker().post([&](ClayDesk& desk) {
+    points = std::get<StrokeOperation>(desk.recording().operations.back()).stroke.points;
+  });
+  settle();
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_DOUBLE_EQ(points[0].pressure, 0.25);
+  EXPECT_DOUBLE_EQ(points[1].pressure, 0.75);
+}
+
+TEST_F(Null, everyCommandCanBeRun) {
+  for (const CommandRow& row : commandTable()) {
+    if (row.command == Command::quit) continue;
+    if (session_.isPossible(row.command)) session_.run(row.command);
+    settle();
+    tap(KeyCode::escape);
+    settle();
+    session_.dialog = Dialog::none;
+    session_.paletteOpen = false;
+    session_.fullScreen = false;
+    session_.panelsShown = true;
+  }
+}
+
+TEST_F(Null, theFileDialogWorksByKeyboard) {
+  const fs::path folder = fs::path(::testing::TempDir()) / "bozzetto_dialog";
+  fs::create_directories(folder);
+  fs::remove(folder / "by keys.bzt");
+  session_.settings.folder = folder.string();
+  tapCtrl(letter('S'));
+  settle();
+  ASSERT_EQ(session_.dialog, Dialog::saveAs);
+  settle();
+  tapCtrl(letter('A'));
+  for (const char c : std::string("by keys")) post(TextTyped{unsigned(c)});
+  settle();
+  tap(KeyCode::enter);
+  settle();
+  EXPECT_TRUE(fs::exists(folder / "by keys.bzt"));
+  EXPECT_EQ(session_.dialog, Dialog::none);
+}
+
+TEST_F(Null, aMessageComesAndGoes) {
+  session_.openScene("/no/such/folder/thing");
+  settle();
+  session_.say(Message::Kind::error, "something");
+  EXPECT_FALSE(session_.messages().empty());
+  now_ += 20;
+  frame();
+  EXPECT_TRUE(session_.messages().empty());
+}
+
+}  // namespace
+}  // namespace bozzetto::ui

@@ -1,0 +1,250 @@
+#include "ui/canvas.hpp"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <numbers>
+
+#include "bozzetto/render/png.hpp"
+#include "bozzetto/render/renderer.hpp"
+#include "bozzetto/render/viewport.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+constexpr std::size_t kUploadBytesAFrame = 12 << 20;
+constexpr int kBallPixels = 128, kStepWidth = 116, kStepHeight = 92;
+
+// A framebuffer with colour and depth.
+class Target {
+ public:
+  Target(int width, int height) {
+    glGenFramebuffers(1, &framebuffer_);
+    glGenTextures(1, &colour_);
+    glGenRenderbuffers(1, &depth_);
+    glBindTexture(GL_TEXTURE_2D, colour_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_, 0);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+  }
+  ~Target() {
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteRenderbuffers(1, &depth_);
+    if (colour_ != 0) glDeleteTextures(1, &colour_);
+  }
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+  /// The picture; the caller deletes it.
+  GLuint takeColour() { return std::exchange(colour_, 0); }
+  GLuint name() const { return framebuffer_; }
+
+ private:
+  GLuint framebuffer_ = 0, colour_ = 0, depth_ = 0;
+};
+
+// A ball of 20 cells in one patch.
+UnpackedPatch ballPatch(Colour colour) {
+  constexpr int kAround = 64, kUp = 32;
+  constexpr float kRadius = 20;
+  UnpackedPatch ball(Key{});
+  for (int up = 0; up <= kUp; ++up) {
+    const float polar = std::numbers::pi_v<float> * float(up) / kUp;
+    for (int n = 0; n <= kAround; ++n) {
+      const float turn = 2 * std::numbers::pi_v<float> * float(n) / kAround;
+      const glm::vec3 normal(std::sin(polar) * std::cos(turn), std::cos(polar),
+                             std::sin(polar) * std::sin(turn));
+      ball.positions.push_back(normal * kRadius);
+      ball.normals.push_back(normal);
+      ball.colours.push_back(colour);
+    }
+  }
+  for (int up = 0; up < kUp; ++up) {
+    for (int n = 0; n < kAround; ++n) {
+      const auto a = std::uint16_t(up * (kAround + 1) + n), b = std::uint16_t(a + kAround + 1);
+      const auto a1 = std::uint16_t(a + 1), b1 = std::uint16_t(b + 1);
+      ball.indices.insert(ball.indices.end(), {a, a1, b, a1, b1, b});
+    }
+  }
+  return ball;
+}
+
+ImTextureID asTexture(GLuint name) { return reinterpret_cast<ImTextureID>(std::uintptr_t(name)); }
+
+}  // namespace
+
+struct Canvas::Impl {
+  Interface* interface;
+  Session* session;
+  Renderer renderer;
+  std::unique_ptr<Viewport> viewport;
+  std::vector<GLuint> textures;
+  Publication waiting;
+  int fontsVersion = 0;
+
+  void makeBalls();
+  void pictureStep();
+  std::size_t upload();
+};
+
+// Every look on a ball, once: cards and the word mark show them.
+void Canvas::Impl::makeBalls() {
+  renderer.uploadPatch(ballPatch(Colour{}).view());
+  Shot shot;
+  shot.width = shot.height = kBallPixels;
+  shot.stage = {glm::dvec3(0), 20 / 1.3, -1000};
+  shot.camera.distance = 20 / std::sin(shot.camera.fieldOfView / 2) * 1.02;
+  for (std::size_t n = 0; n < kLookCards.size(); ++n) {
+    Look look;
+    look.mode = kLookCards[n].mode;
+    look.matcap = kLookCards[n].matcap;
+    look.detail = Detail::baked;
+    look.floor = false;
+    Target target(kBallPixels, kBallPixels);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.name());
+    renderer.draw(shot, look);
+    textures.push_back(target.takeColour());
+    interface->pictures.balls[n] = asTexture(textures.back());
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  renderer.clear();
+}
+
+// The step we stand at, seen close to where it happened; at rest only. Pictures of steps that are
+// no more go.
+void Canvas::Impl::pictureStep() {
+  const ClayStatus& status = session->status();
+  auto& pictures = interface->pictures.steps;
+  std::erase_if(pictures, [&](const auto& entry) {
+    const auto same = [&](const StepLine& step) { return step.id == entry.first; };
+    if (std::ranges::any_of(status.steps, same)) return false;
+    const GLuint name = GLuint(reinterpret_cast<std::uintptr_t>(entry.second));
+    glDeleteTextures(1, &name);
+    return true;
+  });
+  if (status.done == 0 || status.done > status.steps.size() || status.lastEdit.empty()) return;
+  const std::uint64_t id = status.steps[status.done - 1].id;
+  if (status.lastEditStep != id || pictures.contains(id)) return;
+  ViewState near = session->view;
+  CellBounds box = status.lastEdit;
+  const glm::dvec3 least = glm::dvec3(status.stage.unit * .35);
+  box.low = glm::min(box.low, box.centre() - least) * status.scale.spacing;
+  box.high =
+      glm::max(status.lastEdit.high, status.lastEdit.centre() + least) * status.scale.spacing;
+  Shot shot;
+  shot.width = kStepWidth;
+  shot.height = kStepHeight;
+  frame(near, std::span(&box, 1), double(shot.width) / shot.height, .9);
+  shot.camera = cameraOf(near, status.scale.spacing);
+  shot.stage = status.stage;
+  Look look = session->options.look;
+  look.detail = Detail::baked;
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  Target target(shot.width, shot.height);
+  renderer.draw(shot, look);
+  glBindFramebuffer(GL_FRAMEBUFFER, GLuint(bound));
+  pictures[id] = asTexture(target.takeColour());
+}
+
+// As much as a frame has time for; the rest stays.
+std::size_t Canvas::Impl::upload() {
+  if (std::exchange(waiting.cleared, false)) renderer.clear();
+  std::size_t bytes = 0, patches = 0;
+  const auto some = [&](std::map<Key, PatchRef>& from, Fineness fineness) {
+    while (!from.empty() && bytes < kUploadBytesAFrame) {
+      const auto first = from.begin();
+      if (first->second) {
+        renderer.uploadPatch(first->second->data.view());
+        bytes += first->second->uploadBytes();
+      } else {
+        renderer.removePatch(first->first, fineness);
+      }
+      ++patches;
+      from.erase(first);
+    }
+  };
+  some(waiting.fine, Fineness::fine);
+  some(waiting.coarse, Fineness::coarse);
+  if (waiting.floor) renderer.setFloorOcclusion(*waiting.floor);
+  waiting.floor.reset();
+  return patches;
+}
+
+Canvas::Canvas(Interface& interface, Session& session) : impl_(std::make_unique<Impl>()) {
+  impl_->interface = &interface;
+  impl_->session = &session;
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+  impl_->makeBalls();
+  impl_->viewport = std::make_unique<Viewport>(impl_->renderer);
+}
+
+Canvas::~Canvas() {
+  glDeleteTextures(GLsizei(impl_->textures.size()), impl_->textures.data());
+  ImGui_ImplOpenGL3_Shutdown();
+}
+
+bool Canvas::hasUploads() const {
+  return !impl_->waiting.fine.empty() || !impl_->waiting.coarse.empty();
+}
+
+bool Canvas::draw(Publication fresh, glm::dvec2 size) {
+  Impl& c = *impl_;
+  if (c.fontsVersion != c.interface->fontsVersion()) {
+    // With the fonts' texture; nobody calls the back end's NewFrame.
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+    ImGui_ImplOpenGL3_CreateDeviceObjects();
+    c.fontsVersion = c.interface->fontsVersion();
+  }
+  c.waiting.add(std::move(fresh));
+  const std::size_t patches = c.upload();
+  const Rect& at = c.interface->layout().viewport;
+  const ClayStatus& status = c.session->status();
+  ViewFrame frame = c.session->viewFrame();
+  frame.place = {int(at.low.x), int(size.y - at.high.y), int(at.width()), int(at.height())};
+  c.viewport->fixQuality(c.session->options.quality);
+  const FrameReport report = c.viewport->draw(frame, c.session->overlays());
+  if (!status.inStroke && status.isLit && !hasUploads()) c.pictureStep();
+  c.interface->figures.viewport = report;
+  c.interface->figures.uploadedPatches = patches;
+  glViewport(0, 0, int(size.x), int(size.y));
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  return report.settled && !hasUploads();
+}
+
+Image Canvas::readBack(glm::dvec2 size) {
+  Image image{int(size.x), int(size.y)};
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  for (int y = 0; y < image.height; ++y) {
+    glReadPixels(0, image.height - 1 - y, image.width, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image.at(0, y).data());
+  }
+  for (Image::Pixel& pixel : image.pixels) pixel[3] = 255;
+  return image;
+}
+
+Bytes Canvas::thumbnail() {
+  Shot shot;
+  shot.camera = impl_->session->viewFrame().camera;
+  shot.stage = impl_->session->viewFrame().stage;
+  shot.width = 240;
+  shot.height = 180;
+  Look look = impl_->session->options.look;
+  look.detail = Detail::baked;
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const Target target(shot.width, shot.height);
+  impl_->renderer.draw(shot, look);
+  const Image image = readBack({shot.width, shot.height});
+  glBindFramebuffer(GL_FRAMEBUFFER, GLuint(bound));
+  return encodePng(image);
+}
+
+}  // namespace bozzetto::ui

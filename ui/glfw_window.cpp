@@ -1,0 +1,277 @@
+// The real window: GLFW tells what happens, the interface and the canvas do the rest.
+#define GLFW_INCLUDE_NONE
+#define GLFW_EXPOSE_NATIVE_X11
+#include <GLFW/glfw3.h>
+#include <GLFW/glfw3native.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bozzetto/base/error.hpp"
+#include "bozzetto/render/png.hpp"
+#include "bozzetto/ui/window.hpp"
+#include "ui/canvas.hpp"
+#include "ui/pen.hpp"
+#include "ui/puck.hpp"
+
+namespace bozzetto {
+namespace ui {
+namespace {
+
+static_assert(int(KeyCode::escape) == GLFW_KEY_ESCAPE && int(KeyCode::home) == GLFW_KEY_HOME &&
+              int(KeyCode::f1) == GLFW_KEY_F1 && int(KeyCode::numpad0) == GLFW_KEY_KP_0 &&
+              int(KeyCode::numpadEnter) == GLFW_KEY_KP_ENTER &&
+              int(KeyCode::leftShift) == GLFW_KEY_LEFT_SHIFT &&
+              int(KeyCode::rightAlt) == GLFW_KEY_RIGHT_ALT);
+
+constexpr int kWidth = 1280, kHeight = 800;
+constexpr double kRefining = 1 / 30.0;  // seconds between looks when a still view gets better
+
+[[noreturn]] void fail(const std::string& what) {
+  const char* reason = nullptr;
+  glfwGetError(&reason);
+  throw Error("window: " + what + (reason ? std::string(": ") + reason : ""));
+}
+
+// Starts GLFW and ends it.
+struct Library {
+  Library() {
+    if (!glfwInit()) fail("no display");
+  }
+  ~Library() { glfwTerminate(); }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+};
+
+struct CloseWindow {
+  void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+using WindowHandle = std::unique_ptr<GLFWwindow, CloseWindow>;
+
+WindowHandle openWindow(const std::string& title) {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 24);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "bozzetto");
+  WindowHandle window(glfwCreateWindow(kWidth, kHeight, title.c_str(), nullptr, nullptr));
+  if (!window) fail("OpenGL 3.3 is needed");
+  glfwSetWindowPos(window.get(), 0, 0);
+  glfwShowWindow(window.get());
+  glfwMakeContextCurrent(window.get());
+  glfwSwapInterval(1);
+  return window;
+}
+
+Button buttonOf(int number) {
+  return number == GLFW_MOUSE_BUTTON_LEFT    ? Button::left
+         : number == GLFW_MOUSE_BUTTON_RIGHT ? Button::right
+                                             : Button::middle;
+}
+
+Interface& interfaceOf(GLFWwindow* window) {
+  return *static_cast<Interface*>(glfwGetWindowUserPointer(window));
+}
+
+void listen(GLFWwindow* window) {
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    interfaceOf(w).post(PointerMoved{{x, y}, 1});
+  });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int number, int action, int) {
+    if (number > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    // Under another program's grab the pointer may have moved unseen.
+    double x = 0, y = 0;
+    glfwGetCursorPos(w, &x, &y);
+    interfaceOf(w).post(PointerMoved{{x, y}, 1});
+    interfaceOf(w).post(ButtonChanged{buttonOf(number), action == GLFW_PRESS});
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+    interfaceOf(w).post(WheelTurned{{x, y}});
+  });
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
+    interfaceOf(w).post(
+        KeyChanged{static_cast<KeyCode>(key), action != GLFW_RELEASE, action == GLFW_REPEAT});
+  });
+  glfwSetCharCallback(
+      window, [](GLFWwindow* w, unsigned codepoint) { interfaceOf(w).post(TextTyped{codepoint}); });
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    interfaceOf(w).post(FilesDropped{{paths, paths + count}});
+  });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+    interfaceOf(w).post(FocusChanged{focused == GLFW_TRUE});
+  });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { interfaceOf(w).post(RedrawAsked{}); });
+  glfwSetFramebufferSizeCallback(
+      window, [](GLFWwindow* w, int, int) { interfaceOf(w).post(RedrawAsked{}); });
+  glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+    glfwSetWindowShouldClose(w, GLFW_FALSE);
+    interfaceOf(w).post(CloseAsked{});
+  });
+}
+
+// Keeps the window as the session wants it: title, whole screen.
+class WindowState {
+ public:
+  explicit WindowState(GLFWwindow* window) : window_(window) {}
+
+  void follow(const Session& session) {
+    const std::string title = session.title() + (session.isModified() ? " *" : "") + " – bozzetto";
+    if (title != title_) glfwSetWindowTitle(window_, title.c_str());
+    title_ = title;
+    if (session.fullScreen == full_) return;
+    full_ = session.fullScreen;
+    if (full_) {
+      glfwGetWindowPos(window_, &x_, &y_);
+      glfwGetWindowSize(window_, &width_, &height_);
+      GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+      const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+      if (mode) glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, 0);
+    } else {
+      glfwSetWindowMonitor(window_, nullptr, x_, y_, width_, height_, 0);
+    }
+  }
+
+ private:
+  GLFWwindow* window_;
+  std::string title_;
+  bool full_ = false;
+  int x_ = 0, y_ = 0, width_ = kWidth, height_ = kHeight;
+};
+
+float scaleFor(GLFWwindow* window, const Session& session) {
+  if (session.settings.scale > 0) return float(session.settings.scale);
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window, &x, &y);
+  return std::max(x, 1.f);
+}
+
+void shareClipboard(GLFWwindow* window) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.ClipboardUserData = window;
+  io.SetClipboardTextFn = [](void* w, const char* text) {
+    glfwSetClipboardString(static_cast<GLFWwindow*>(w), text);
+  };
+  io.GetClipboardTextFn = [](void* w) {
+    return glfwGetClipboardString(static_cast<GLFWwindow*>(w));
+  };
+}
+
+void savePicture(Session& session, glm::dvec2 size) {
+  if (!session.windowPicture) return;
+  const std::filesystem::path path = *std::exchange(session.windowPicture, std::nullopt);
+  try {
+    writePng(path, Canvas::readBack(size));
+    session.say(Message::Kind::note, "Saved " + path.filename().string());
+  } catch (const Error& error) {
+    session.say(Message::Kind::error, error.what());
+  }
+}
+
+// What GLFW does not know: pens and pucks.
+struct Devices {
+  Pen pen;
+  Puck puck;
+  explicit Devices(GLFWwindow* window) : pen(glfwGetX11Window(window)) {}
+
+  void poll(Interface& interface) {
+    for (const PointerMoved& moved : pen.poll()) interface.post(moved);
+    for (InputEvent& event : puck.poll()) interface.post(std::move(event));
+  }
+  /// How long the loop may sleep without missing them.
+  double patience() const { return puck.isThere() || pen.devices() > 0 ? 0.015 : 0.5; }
+};
+
+// Draws while something happens, sleeps otherwise.
+class Loop {
+ public:
+  Loop(GLFWwindow* window, Session& session, Interface& interface, Canvas& canvas)
+      : window_(window),
+        session_(session),
+        interface_(interface),
+        canvas_(canvas),
+        state_(window),
+        devices_(window) {}
+
+  void run() {
+    while (!session_.wantsToClose()) {
+      wait();
+      int width = 0, height = 0;
+      glfwGetFramebufferSize(window_, &width, &height);
+      if (width >= 64 && height >= 64 && isWorthAFrame()) drawFrame({width, height});
+    }
+  }
+
+ private:
+  void wait() {
+    const double start = glfwGetTime();
+    if (lively_ > 0) {
+      glfwPollEvents();
+    } else if (!settled_) {
+      glfwWaitEventsTimeout(kRefining);
+      refine_ = true;
+    } else {
+      glfwWaitEventsTimeout(session_.job() || speaking_ ? 0.1 : devices_.patience());
+    }
+    // Without a monitor's rhythm a frame that draws nothing must not spin.
+    if (lively_ > 0 && start - lastStart_ < kShortestFrame) {
+      glfwWaitEventsTimeout(kShortestFrame - (start - lastStart_));
+    }
+    devices_.poll(interface_);
+  }
+
+  bool isWorthAFrame() {
+    const bool speaks = !session_.messages().empty();
+    const bool talked = std::exchange(speaking_, speaks) || speaks;
+    return lively_ > 0 || std::exchange(refine_, false) || interface_.hasEvents() ||
+           session_.hasNews() || session_.job() || talked;
+  }
+
+  void drawFrame(glm::dvec2 size) {
+    const double start = lastStart_ = glfwGetTime();
+    interface_.setScale(scaleFor(window_, session_));
+    const bool busy = interface_.hasEvents() || session_.hasNews() || session_.job();
+    Publication fresh = interface_.frame(size, start);
+    state_.follow(session_);
+    settled_ = canvas_.draw(std::move(fresh), size);
+    savePicture(session_, size);
+    glfwSwapBuffers(window_);
+    interface_.figures.milliseconds = 1000 * (glfwGetTime() - start);
+    // ImGui needs a frame or two to settle.
+    lively_ = busy || interface_.hasEvents() ? 3 : std::max(lively_ - 1, 0);
+  }
+
+  static constexpr double kShortestFrame = 1 / 125.0;
+  GLFWwindow* window_;
+  Session& session_;
+  Interface& interface_;
+  Canvas& canvas_;
+  WindowState state_;
+  Devices devices_;
+  int lively_ = 3;
+  bool settled_ = false, refine_ = false, speaking_ = false;
+  double lastStart_ = -1;
+};
+
+}  // namespace
+}  // namespace ui
+
+void runWindow(const WindowOptions& given) {
+  const ui::Library library;
+  const ui::WindowHandle window = ui::openWindow("bozzetto");
+  ui::Session::Options options;
+  options.scene = given.scene;
+  options.configFolder = ui::configFolder();
+  options.wake = [] { glfwPostEmptyEvent(); };
+  ui::Session session(options);
+  ui::Interface interface(session);
+  ui::Canvas canvas(interface, session);
+  session.thumbnail = [&canvas] { return canvas.thumbnail(); };
+  glfwSetWindowUserPointer(window.get(), &interface);
+  ui::listen(window.get());
+  ui::shareClipboard(window.get());
+  ui::Loop(window.get(), session, interface, canvas).run();
+}
+
+}  // namespace bozzetto

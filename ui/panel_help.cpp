@@ -1,0 +1,108 @@
+// All keys in one window, each of which can be changed there.
+#include "ui/panels.hpp"
+#include "ui/widgets.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+constexpr const char* kMouse[][2] = {
+    {"Left button", "the tool, on clay or in the air"},
+    {"Ctrl or Alt + left", "the tool's opposite (by profile)"},
+    {"Shift + left", "smooths"},
+    {"Right button", "size up and down, strength left and right; ZBrush-like: orbit"},
+    {"Middle button", "orbit; with Shift pan, with Ctrl zoom"},
+    {"Wheel", "zoom to the pointer; with Shift size, with Ctrl the depth in the air"},
+};
+
+void mouseTable() {
+  for (const auto& row : kMouse) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row[0]);
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::dim));
+    ImGui::TextUnformatted(row[1]);
+    ImGui::PopStyleColor();
+  }
+}
+
+void keyRow(Session& session, const CommandRow& row) {
+  ImGui::TableNextRow();
+  ImGui::PushID(int(row.command));
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(row.title.data(), row.title.data() + row.title.size());
+  tooltip(std::string(row.tip));
+  ImGui::TableNextColumn();
+  const bool waits = session.rebinding == row.command;
+  const std::string keys = toText(session.keymap.chords(row.command));
+  const std::string text = waits ? "press a key, Esc: none" : keys.empty() ? "–" : keys;
+  if (session.keymap.isChanged(row.command)) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::second));
+  } else {
+    ImGui::PushStyleColor(ImGuiCol_Text, ink(waits ? tint::accentHover : tint::text));
+  }
+  if (ImGui::Selectable(text.c_str(), waits)) session.rebinding = row.command;
+  ImGui::PopStyleColor();
+  tooltip("Click, then press the new key.");
+  ImGui::PopID();
+}
+
+void keyTables(Session& session) {
+  CommandGroup group = CommandGroup::help;
+  for (const CommandRow& row : commandTable()) {
+    if (row.group != group) {
+      group = row.group;
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::PushFont(fonts().semiBold);
+      ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::strong));
+      const std::string_view name = toText(group);
+      ImGui::TextUnformatted(name.data(), name.data() + name.size());
+      ImGui::PopStyleColor();
+      ImGui::PopFont();
+      ImGui::TableNextColumn();
+    }
+    keyRow(session, row);
+  }
+}
+
+}  // namespace
+
+void drawHelp(const PanelContext& context) {
+  Session& session = context.session;
+  if (session.dialog != Dialog::help) return;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 size{std::min(px(620), screen.x - px(40)), std::min(px(620), screen.y - px(40))};
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, 0, {.5f, .5f});
+  ImGui::SetNextWindowSize(size);
+  ImGui::OpenPopup("Keys and help");
+  bool open = true;
+  if (!ImGui::BeginPopupModal("Keys and help", &open,
+                              ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+    return;
+  }
+  int profile = int(session.keymap.profile());
+  if (choice("profile", profile, {"Like Blender", "Like ZBrush"}, "Two sets of keys.")) {
+    session.keymap.setProfile(KeyProfile(profile));
+  }
+  ImGui::BeginChild("keys", {0, -px(40)});
+  if (ImGui::BeginTable("table", 2, ImGuiTableFlags_RowBg)) {
+    mouseTable();
+    keyTables(session);
+    ImGui::EndTable();
+  }
+  ImGui::EndChild();
+  if (button("All keys as they were", {px(200), 0})) session.keymap.resetToDefaults();
+  ImGui::SameLine(ImGui::GetWindowWidth() - px(134));
+  const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) &&
+                      !session.rebinding && !session.justRebound;
+  session.justRebound = false;
+  if (button("Close", {px(120), 0}, ButtonKind::accent) || escape || !open) {
+    session.dialog = Dialog::none;
+    session.rebinding.reset();
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace bozzetto::ui

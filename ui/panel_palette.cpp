@@ -1,0 +1,78 @@
+// What Space brings under the pointer: tools, size and strength, colours.
+#include "ui/icons.hpp"
+#include "ui/panels.hpp"
+#include "ui/widgets.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+void tools(Session& session) {
+  const float gap = px(6), side = (ImGui::GetContentRegionAvail().x - 4 * gap) / 5;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  for (const ToolRow& row : toolTable()) {
+    if ((&row - toolTable().data()) % 5 != 0) ImGui::SameLine();
+    ImGui::PushID(int(row.action));
+    if (ImGui::InvisibleButton("tool", {side, side})) {
+      session.setTool(row.action);
+      session.paletteOpen = false;
+    }
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const bool chosen = session.sculpt.action == row.action;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    if (chosen || ImGui::IsItemHovered()) {
+      list->AddRectFilled(low, high, ink(chosen ? tint::accent : tint::hover), px(9));
+    }
+    drawIcon(list, row.icon, {{(low.x + high.x) / 2, (low.y + high.y) / 2}, px(12.5f)},
+             {chosen ? ink(0xFFFFFF) : ink(tint::icon),
+              chosen ? ink(tint::onAccent) : ink(tint::accent)});
+    tooltip(std::string(row.title));
+    ImGui::PopID();
+  }
+  ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+void drawPalette(const PanelContext& context) {
+  Session& session = context.session;
+  if (!session.paletteOpen) return;
+  const float width = px(290);
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float left = std::clamp(float(session.palettePlace.x) - width / 2, 0.f, size.x - width);
+  const float top = std::clamp(float(session.palettePlace.y) - px(34), 0.f, size.y - px(360));
+  ImGui::SetNextWindowPos({left, top});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(12));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ink(0x222529, .97f));
+  ImGui::Begin("palette", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  tools(session);
+  SculptState& sculpt = session.sculpt;
+  const double cell = session.status().scale.spacing;
+  slider("Size", sculpt.size, {kSmallestToolCells * cell, 128 * cell, "mm", 1, 1, true},
+         "The tool's limit of influence.");
+  if (rowOf(sculpt.action).usesStrength) {
+    slider("Strength", sculpt.strengthOf(sculpt.action), {0.01, 1, "%", 100, 0},
+           "How much every dab does.");
+  }
+  const float gap = px(6), side = (ImGui::GetContentRegionAvail().x - 6 * gap) / 7;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  int n = 0;
+  for (const Colour colour : clayColours()) {
+    if (n % 7 != 0) ImGui::SameLine();
+    ImGui::PushID(n++);
+    if (swatch("swatch", colour, side, colour == sculpt.colour)) {
+      sculpt.colour = colour;
+      session.paletteOpen = false;
+    }
+    ImGui::PopID();
+  }
+  ImGui::PopStyleVar();
+  const bool outside = ImGui::IsMouseClicked(0) &&
+                       !ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  if (outside || ImGui::IsMouseClicked(1)) session.paletteOpen = false;
+  ImGui::End();
+}
+
+}  // namespace bozzetto::ui

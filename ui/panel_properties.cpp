@@ -1,0 +1,183 @@
+// The panel on the right: the tool in hand first, then how it is used, then all that is looked at.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ui/icons.hpp"
+#include "ui/panels.hpp"
+#include "ui/widgets.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+const char* shapeName(Shape shape) {
+  constexpr const char* names[] = {"Ball", "Box", "Cylinder", "Capsule"};
+  return names[int(shape)];
+}
+
+void toolCard(const SculptState& sculpt, const ToolRow& row) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  list->AddRectFilled(at, {at.x + width, at.y + px(66)}, ink(tint::card), px(9));
+  list->AddRectFilled({at.x + px(7), at.y + px(7)}, {at.x + px(59), at.y + px(59)},
+                      ink(tint::accent), px(8));
+  drawIcon(list, row.icon, {{at.x + px(33), at.y + px(33)}, px(14)},
+           {ink(0xFFFFFF), ink(tint::onAccent)});
+  drawText(list, fonts().display, {at.x + px(72), at.y + px(12)}, ink(0xF4F4F5),
+           std::string(row.title));
+  drawText(list, fonts().medium, {at.x + px(72), at.y + px(37)}, ink(tint::dim),
+           fmt::format("{}  ·  {}", shapeName(sculpt.shape), row.what));
+  ImGui::Dummy({width, px(66)});
+}
+
+// From the limit of influence through the core to the other side.
+double falloffAt(Profile profile, double u) {
+  u = std::abs(u);
+  if (profile == Profile::wyvill) {
+    const double s = u * u;
+    return 1 - 4.0 / 9 * s * s * s + 17.0 / 9 * s * s - 22.0 / 9 * s;
+  }
+  if (u < 0.7) return 1;
+  const double t = (u - 0.7) / 0.3;
+  return 1 - t * t * (3 - 2 * t);
+}
+
+void falloffPlot(Profile profile) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = px(52);
+  list->AddRectFilled(at, {at.x + width, at.y + height}, ink(0x141518), px(6));
+  for (int n = 1; n < 4; ++n) {
+    const float x = at.x + width * float(n) / 4;
+    list->AddLine({x, at.y + px(5)}, {x, at.y + height - px(5)}, ink(0xFFFFFF, .04f));
+  }
+  constexpr int kSteps = 64;
+  ImVec2 points[kSteps + 1];
+  const float base = at.y + height - px(7);
+  for (int n = 0; n <= kSteps; ++n) {
+    const double u = 2.0 * n / kSteps - 1;
+    points[n] = {at.x + px(10) + (width - px(20)) * float(n) / kSteps,
+                 base - (height - px(15)) * float(falloffAt(profile, u))};
+  }
+  // Without fringes, which would show as seams between the strips.
+  const ImDrawListFlags flags = list->Flags;
+  list->Flags &= ~ImDrawListFlags_AntiAliasedFill;
+  for (int n = 0; n < kSteps; ++n) {
+    const ImVec2 strip[] = {points[n], points[n + 1], {points[n + 1].x, base}, {points[n].x, base}};
+    list->AddConvexPolyFilled(strip, 4, ink(tint::accent, .30f));
+  }
+  list->Flags = flags;
+  list->AddPolyline(points, kSteps + 1, ink(0xF19A6F), 0, px(2));
+  ImGui::Dummy({width, height});
+}
+
+void falloff(SculptState& sculpt) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const std::string name = sculpt.profile == Profile::wyvill ? "Soft" : "Firm";
+  if (ImGui::InvisibleButton("falloff", {width, px(19)})) {
+    sculpt.profile = sculpt.profile == Profile::wyvill ? Profile::box : Profile::wyvill;
+  }
+  tooltip("How the tool fades from its middle to its limit. Click for the other.");
+  drawText(list, fonts().regular, at, ink(tint::text, .92f), "Falloff");
+  drawText(list, fonts().regular, {at.x + width - textWidth(fonts().regular, name), at.y},
+           ink(ImGui::IsItemHovered() ? tint::text : tint::dim), name);
+  falloffPlot(sculpt.profile);
+}
+
+}  // namespace
+
+void toolSection(Session& session) {
+  SculptState& sculpt = session.sculpt;
+  const ToolRow& row = rowOf(sculpt.action);
+  toolCard(sculpt, row);
+  ImGui::Dummy({1, px(2)});
+  const double cell = session.status().scale.spacing;
+  Slide size{kSmallestToolCells * cell, 128 * cell, "mm", 1, sculpt.size < 10 ? 2 : 1, true};
+  size.pen = sculpt.pressureSize;
+  slider("Size", sculpt.size, size, "The tool's limit of influence. F drags it, [ and ] step it.");
+  if (row.usesStrength) {
+    Slide strength{0.01, 1, "%", 100, 0};
+    strength.pen = sculpt.pressureStrength;
+    slider("Strength", sculpt.strengthOf(sculpt.action), strength,
+           "How much every dab does. Shift+F drags it.");
+  }
+  slider("Spacing", sculpt.spacing, {0.05, 1, "%", 100, 0, true},
+         "Between dabs, as part of the tool's smallest radius.");
+  falloff(sculpt);
+}
+
+void shapeSection(Session& session) {
+  SculptState& sculpt = session.sculpt;
+  int shape = int(sculpt.shape);
+  if (choice("shape", shape, {"Ball", "Box", "Tube", "Capsule"}, "The tool's shape.")) {
+    sculpt.shape = Shape(shape);
+  }
+  const char* names[] = {"Width", "Height", "Depth"};
+  for (int axis = 0; axis < 3; ++axis) {
+    slider(names[axis], sculpt.proportions[axis], {0.1, 1, "%", 100, 0},
+           "Of the size, along the tool's own axis.");
+  }
+  int alignment = int(sculpt.alignment);
+  if (choice("alignment", alignment, {"World", "Surface", "View"},
+             "Along what the tool's height stands.")) {
+    sculpt.alignment = Alignment(alignment);
+  }
+  slider("Lift", sculpt.depth, {-1, 1, "%", 100, 0},
+         "The tool's middle over the surface, as part of its size.");
+  if (button("Straighten", {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::plain,
+             "Forgets how the tool was turned.")) {
+    sculpt.rotation = {1, 0, 0, 0};
+  }
+}
+
+void colourSection(Session& session) {
+  SculptState& sculpt = session.sculpt;
+  const float gap = px(6), side = (ImGui::GetContentRegionAvail().x - 6 * gap) / 7;
+  int n = 0;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  for (const Colour colour : clayColours()) {
+    if (n % 7 != 0) ImGui::SameLine();
+    ImGui::PushID(n++);
+    if (swatch("swatch", colour, side, colour == sculpt.colour)) sculpt.colour = colour;
+    ImGui::PopID();
+  }
+  ImGui::PopStyleVar();
+  float rgb[3] = {float(sculpt.colour.r) / 255, float(sculpt.colour.g) / 255,
+                  float(sculpt.colour.b) / 255};
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - px(84));
+  if (ImGui::ColorEdit3("##colour", rgb, ImGuiColorEditFlags_DisplayHex)) {
+    const auto byte = [](float v) { return std::uint8_t(std::lround(v * 255)); };
+    sculpt.colour = {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
+  }
+  ImGui::SameLine();
+  if (button("Pick", {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::plain,
+             "Takes a colour from the clay (E).")) {
+    session.run(Command::eyedropper);
+  }
+}
+
+void drawProperties(const PanelContext& context) {
+  Session& session = context.session;
+  const Rect& at = context.layout.properties;
+  ImGui::SetNextWindowPos({float(at.low.x), float(at.low.y)});
+  ImGui::SetNextWindowSize({float(at.width()), float(at.height())});
+  const ImGuiWindowFlags flags = kFixed & ~ImGuiWindowFlags_NoScrollbar;
+  ImGui::Begin("properties", nullptr, flags);
+  toolSection(session);
+  if (section("Look")) lookSection(session, context.pictures);
+  if (section("Colour")) colourSection(session);
+  if (section("Tool", false)) shapeSection(session);
+  if (section("Stroke", false)) strokeSection(session);
+  if (section("Symmetry", false)) symmetrySection(session);
+  if (section("Lights", false)) lightSection(session);
+  if (section("View", false)) viewSection(session);
+  if (section("Clay")) claySection(session);
+  if (section("History", false)) historySection(session);
+  if (section("Performance", false)) performanceSection(session, context.figures);
+  ImGui::End();
+}
+
+}  // namespace bozzetto::ui

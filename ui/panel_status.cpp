@@ -1,0 +1,153 @@
+// What every mouse button does now, with the keys that are held, and how the clay stands.
+#include <fmt/format.h>
+
+#include "ui/icons.hpp"
+#include "ui/panels.hpp"
+#include "ui/widgets.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+struct Hint {
+  std::string key;
+  std::optional<MousePart> mouse;
+  std::string verb;
+};
+
+std::string verb(ActionKind action) { return std::string(rowOf(action).verb); }
+
+std::vector<Hint> draggingHints(Gesture gesture) {
+  switch (gesture) {
+    case Gesture::size:
+      return {{"", {}, "Size: move the pointer"},
+              {"", MousePart::left, "Take it"},
+              {"Esc", {}, "As before"}};
+    case Gesture::strength:
+      return {{"", {}, "Strength: move the pointer"},
+              {"", MousePart::left, "Take it"},
+              {"Esc", {}, "As before"}};
+    case Gesture::rotation:
+      return {{"", {}, "Turn: move the pointer"},
+              {"", MousePart::left, "Take it"},
+              {"Esc", {}, "As before"}};
+    case Gesture::pickColour:
+      return {{"", MousePart::left, "Take this colour"}, {"Esc", {}, "Never mind"}};
+    case Gesture::stroke:
+      return {{"Esc", {}, "Take the stroke back"}};
+    case Gesture::orbit:
+      return {{"", {}, "Turning the view"}};
+    case Gesture::pan:
+      return {{"", {}, "Shifting the view"}};
+    case Gesture::zoom:
+      return {{"", {}, "Zooming"}};
+    case Gesture::light:
+      return {{"", {}, "Turning the light"}};
+    default:
+      return {};
+  }
+}
+
+void addMiddle(const Session& session, Modifiers held, std::vector<Hint>& hints) {
+  if (session.mouseMoves == Moves::light) {
+    hints.push_back({"", MousePart::middle, "Turn light"});
+    return;
+  }
+  const char* what = held.shift ? "Pan" : held.ctrl ? "Zoom" : "Orbit";
+  hints.push_back({"", MousePart::middle, what});
+  if (held.none()) hints.push_back({"Shift", MousePart::middle, "Pan"});
+  const char* wheel = held.ctrl ? "Nearer, farther" : held.shift ? "Size" : "Zoom";
+  hints.push_back({"", MousePart::wheel, wheel});
+}
+
+std::vector<Hint> restingHints(const Session& session) {
+  const SculptState& sculpt = session.sculpt;
+  const bool blender = session.keymap.profile() == KeyProfile::blender;
+  const Modifiers held = session.held();
+  std::vector<Hint> hints;
+  const bool turns = sculpt.emptyDrag == EmptyDrag::orbit && !session.hover().ground;
+  if (blender && held.alt) {
+    hints.push_back({"", MousePart::left, "Orbit"});
+  } else {
+    hints.push_back({"", MousePart::left, turns ? "Orbit" : verb(session.actionNow())});
+  }
+  if (held.none()) {
+    const ActionKind inverse = rowOf(sculpt.action).inverse;
+    if (inverse != sculpt.action) {
+      hints.push_back({std::string(session.keymap.invertName()), MousePart::left, verb(inverse)});
+    }
+    if (sculpt.action != ActionKind::smooth) {
+      hints.push_back({"Shift", MousePart::left, "Smooth"});
+    }
+  }
+  hints.push_back({"", MousePart::right, blender ? "Size · strength" : "Orbit"});
+  addMiddle(session, held, hints);
+  return hints;
+}
+
+float drawHint(ImDrawList* list, const Hint& hint, float x, float y) {
+  ImFont* font = fonts().medium;
+  if (!hint.key.empty()) {
+    const float width = textWidth(font, hint.key) + px(12);
+    list->AddRectFilled({x, y - px(9)}, {x + width, y + px(9)}, ink(0x2C2F34), px(4));
+    drawText(list, font, {x + px(6), y - font->FontSize / 2}, ink(tint::text, .85f), hint.key);
+    x += width + px(5);
+  }
+  if (hint.mouse) {
+    drawMouse(list, {x, y - px(8)}, *hint.mouse, px(16));
+    x += px(17);
+  }
+  drawText(list, font, {x, y - font->FontSize / 2}, ink(0xB4B9C0), hint.verb);
+  return x + textWidth(font, hint.verb);
+}
+
+std::string savedText(const Session& session) {
+  if (!session.isModified() && !session.path().empty()) {
+    if (session.savedAt() < 0) return "saved";
+    const double ago = session.now() - session.savedAt();
+    return ago < 60 ? fmt::format("saved {:.0f} s ago", ago)
+                    : fmt::format("saved {:.0f} min ago", ago / 60);
+  }
+  return session.isModified() ? "not saved" : "";
+}
+
+std::string factText(const Session& session, bool wide) {
+  const ClayStatus& status = session.status();
+  const auto triangles = (long long)session.patches().triangles();
+  std::string text = wide || triangles < 1000 ? grouped(triangles) + " triangles"
+                                              : fmt::format("{}k triangles", triangles / 1000);
+  if (wide && status.last.op == "stroke") {
+    const double dabs = double(std::max<std::int64_t>(status.last.dabs, 1));
+    text +=
+        fmt::format("   ·   dab {:.1f} ms", (status.last.msField + status.last.msSurface) / dabs);
+  }
+  const std::string saved = savedText(session);
+  return saved.empty() ? text : text + "   ·   " + saved;
+}
+
+}  // namespace
+
+void drawStatusLine(const PanelContext& context) {
+  const Rect& at = context.layout.status;
+  const Session& session = context.session;
+  ImGui::SetNextWindowPos({float(at.low.x), float(at.low.y)});
+  ImGui::SetNextWindowSize({float(at.width()), float(at.height())});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ink(tint::bar));
+  ImGui::Begin("status", nullptr, kFixed | ImGuiWindowFlags_NoInputs);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float y = float(at.centre().y), gap = px(at.width() < px(1400) ? 16.f : 24.f);
+  const std::string facts = factText(session, at.width() >= px(1400));
+  const float end = float(at.high.x) - px(16) - textWidth(fonts().medium, facts);
+  float x = px(16);
+  const auto hints =
+      session.gesture() == Gesture::none ? restingHints(session) : draggingHints(session.gesture());
+  for (const Hint& hint : hints) {
+    if (x + textWidth(fonts().medium, hint.verb) + px(70) > end) break;
+    x = drawHint(list, hint, x, y) + gap;
+  }
+  drawText(list, fonts().medium, {end, y - fonts().medium->FontSize / 2}, ink(tint::dim), facts);
+  list->AddLine({0, float(at.low.y)}, {float(at.high.x), float(at.low.y)}, ink(0xFFFFFF, .05f));
+  ImGui::End();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace bozzetto::ui

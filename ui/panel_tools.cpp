@@ -1,0 +1,84 @@
+// The column of tools, with the colours in hand below.
+#include "ui/icons.hpp"
+#include "ui/panels.hpp"
+#include "ui/widgets.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+struct Cell {
+  ActionKind action;
+  Command command;
+};
+
+void toolCell(Session& session, const Cell& cell, float left, float top) {
+  const float side = px(44);
+  ImGui::SetCursorScreenPos({left, top});
+  ImGui::PushID(int(cell.action));
+  if (ImGui::InvisibleButton("tool", {side, side})) session.setTool(cell.action);
+  const bool hovered = ImGui::IsItemHovered();
+  const bool chosen = session.sculpt.action == cell.action;
+  // What a held key makes of the tool lights up too.
+  const bool meant = !chosen && session.actionNow() == cell.action;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 low{left, top}, high{left + side, top + side};
+  if (chosen) {
+    list->AddRectFilled(low, high, ink(hovered ? tint::accentHover : tint::accent), px(9));
+  } else if (hovered || meant) {
+    list->AddRectFilled(low, high, ink(tint::hover), px(9));
+  }
+  drawIcon(
+      list, rowOf(cell.action).icon, {{left + side / 2, top + side / 2}, px(12.5f)},
+      {chosen ? ink(0xFFFFFF) : ink(tint::icon), chosen ? ink(tint::onAccent) : ink(tint::accent)});
+  tooltip(session.keymap, cell.command);
+  ImGui::PopID();
+}
+
+void colourBalls(Session& session, const Rect& at) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float x = float(at.centre().x), y = float(at.high.y) - px(32);
+  ImGui::SetCursorScreenPos({x - px(19), y - px(19)});
+  if (ImGui::InvisibleButton("colours", {px(42), px(42)})) session.run(Command::swapColours);
+  tooltip(session.keymap, Command::swapColours);
+  list->AddCircleFilled({x, y}, px(17), ink(session.sculpt.colour), 40);
+  list->AddCircle({x, y}, px(19.5f), ink(0xFFFFFF, .22f), 40, px(1.5f));
+  list->AddCircleFilled({x + px(14), y + px(14)}, px(8), ink(tint::panel), 24);
+  list->AddCircleFilled({x + px(14), y + px(14)}, px(6), ink(session.sculpt.second), 24);
+}
+
+}  // namespace
+
+void drawToolColumn(const PanelContext& context) {
+  const Rect& at = context.layout.tools;
+  ImGui::SetNextWindowPos({float(at.low.x), float(at.low.y)});
+  ImGui::SetNextWindowSize({float(at.width()), float(at.height())});
+  ImGui::Begin("tools", nullptr, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
+  static const std::vector<Cell> groups[] = {
+      {{ActionKind::add, Command::toolAdd},
+       {ActionKind::remove, Command::toolRemove},
+       {ActionKind::erase, Command::toolErase},
+       {ActionKind::smooth, Command::toolSmooth}},
+      {{ActionKind::push, Command::toolPush},
+       {ActionKind::grip, Command::toolGrip},
+       {ActionKind::swell, Command::toolSwell}},
+      {{ActionKind::paint, Command::toolPaint}, {ActionKind::paintSoft, Command::toolPaintSoft}},
+      {{ActionKind::hold, Command::toolHold}}};
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  float y = float(at.low.y) + px(10);
+  const float left = float(at.low.x) + px(8);
+  for (const std::vector<Cell>& group : groups) {
+    if (&group != &groups[0]) {
+      list->AddLine({float(at.low.x) + px(18), y + px(3)}, {float(at.high.x) - px(18), y + px(3)},
+                    ink(0xFFFFFF, .08f));
+      y += px(9);
+    }
+    for (const Cell& cell : group) {
+      toolCell(context.session, cell, left, y);
+      y += px(48);
+    }
+  }
+  colourBalls(context.session, at);
+  ImGui::End();
+}
+
+}  // namespace bozzetto::ui

@@ -1,0 +1,192 @@
+// Name, menus, document, symmetry and speed.
+#include <fmt/format.h>
+
+#include "ui/icons.hpp"
+#include "ui/panels.hpp"
+#include "ui/widgets.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+void fileMenu(Session& session) {
+  for (const Command c : {Command::newBall, Command::newBlock, Command::newEmpty}) {
+    menuLine(session, c);
+  }
+  ImGui::Separator();
+  menuLine(session, Command::open);
+  if (ImGui::BeginMenu("Open recent", !session.settings.recent.empty())) {
+    const auto recent = session.settings.recent;
+    for (const std::string& path : recent) {
+      if (ImGui::MenuItem(path.c_str())) {
+        session.ifSaved([&session, path] { session.openScene(path); });
+      }
+    }
+    ImGui::EndMenu();
+  }
+  menuLine(session, Command::save);
+  menuLine(session, Command::saveAs);
+  ImGui::Separator();
+  for (const Command c : {Command::importMesh, Command::exportMesh}) menuLine(session, c);
+  ImGui::Separator();
+  for (const Command c : {Command::screenshot, Command::screenshotWindow, Command::turntable}) {
+    menuLine(session, c);
+  }
+  ImGui::Separator();
+  menuLine(session, Command::quit);
+}
+
+void editMenu(Session& session) {
+  for (const Command c : {Command::undo, Command::redo, Command::undoView, Command::redoView}) {
+    menuLine(session, c);
+  }
+  ImGui::Separator();
+  for (const Command c : {Command::record, Command::replay}) menuLine(session, c);
+}
+
+void groupMenu(Session& session, CommandGroup group) {
+  for (const CommandRow& row : commandTable())
+    if (row.group == group) menuLine(session, row.command);
+}
+
+void toolsMenu(Session& session) {
+  groupMenu(session, CommandGroup::tool);
+  ImGui::Separator();
+  groupMenu(session, CommandGroup::stroke);
+  ImGui::Separator();
+  groupMenu(session, CommandGroup::move);
+}
+
+void menus(Session& session) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
+  const auto menu = [&](const char* name, auto fill) {
+    if (!ImGui::BeginMenu(name)) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8), px(7)});
+    fill();
+    ImGui::PopStyleVar();
+    ImGui::EndMenu();
+  };
+  menu("File", [&] { fileMenu(session); });
+  menu("Edit", [&] { editMenu(session); });
+  menu("View", [&] { groupMenu(session, CommandGroup::view); });
+  menu("Tools", [&] { toolsMenu(session); });
+  menu("Help", [&] { menuLine(session, Command::showHelp); });
+  ImGui::PopStyleVar();
+}
+
+// A pill that ends at `right`; its left end.
+float speedPill(const PanelContext& context, float right, float middle) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const double ms = context.figures.viewport.milliseconds;
+  const Quality quality = context.figures.viewport.quality;
+  const std::string text =
+      fmt::format("{:.0f} ms  ·  {}", ms, context.session.options.quality ? "fixed" : "Auto");
+  const float width = textWidth(fonts().medium, text) + px(38);
+  const ImVec2 at{right - width, middle - px(13)};
+  ImGui::SetCursorScreenPos(at);
+  ImGui::InvisibleButton("speed", {width, px(26)});
+  tooltip(fmt::format("The last frame took {:.1f} ms. Quality step {} of 4, chosen by itself.", ms,
+                      int(quality)));
+  list->AddRectFilled(at, {right, at.y + px(26)}, ink(tint::raised), px(13));
+  list->AddCircleFilled({at.x + px(15), middle}, px(3.5f), ink(ms < 40 ? tint::ok : tint::accent));
+  drawText(list, fonts().medium, {at.x + px(26), middle - fonts().medium->FontSize / 2},
+           ink(tint::text, .85f), text);
+  return at.x;
+}
+
+std::string mirrorText(const Symmetry& symmetry) {
+  std::string axes;
+  for (const Axis axis : kAxes)
+    if (symmetry.mirror[std::size_t(index(axis))]) axes += "XYZ"[index(axis)];
+  std::string text = "Mirror " + (axes.empty() ? "off" : axes);
+  if (symmetry.radialCount > 1) text += fmt::format(" · {}×", symmetry.radialCount);
+  return text;
+}
+
+float mirrorPill(Session& session, float right, float middle) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const Symmetry& symmetry = session.sculpt.symmetry;
+  const bool on = symmetry.mirror != std::array<bool, 3>{} || symmetry.radialCount > 1;
+  const std::string text = mirrorText(symmetry);
+  const float width = textWidth(fonts().medium, text) + px(44);
+  const ImVec2 at{right - width, middle - px(13)};
+  ImGui::SetCursorScreenPos(at);
+  if (ImGui::InvisibleButton("mirror", {width, px(26)})) session.run(Command::mirrorX);
+  const bool hovered = ImGui::IsItemHovered();
+  tooltip(session.keymap, Command::mirrorX);
+  list->AddRectFilled(
+      at, {right, at.y + px(26)},
+      on ? ink(tint::second, hovered ? .3f : .2f) : ink(hovered ? tint::hover : tint::raised),
+      px(13));
+  const ImU32 sign = on ? ink(tint::second) : ink(tint::faint);
+  drawMirror(list, {at.x + px(18), middle}, sign);
+  drawText(list, fonts().medium, {at.x + px(34), middle - fonts().medium->FontSize / 2},
+           on ? ink(0xA8E2EC) : ink(tint::dim), text);
+  return at.x;
+}
+
+void documentName(const Session& session, float left, float right, float middle) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const std::string text = fitted(fonts().semiBold, session.title(), right - left - px(40));
+  const float width = textWidth(fonts().semiBold, text);
+  const float x = (left + right - width) / 2;
+  drawText(list, fonts().semiBold, {x, middle - fonts().semiBold->FontSize / 2}, ink(tint::strong),
+           text);
+  if (session.isModified()) {
+    list->AddCircleFilled({x + width + px(11), middle + px(1)}, px(3), ink(tint::accent));
+  }
+}
+
+void wordMark(ImDrawList* list, ImTextureID ball, float middle) {
+  if (ball) {
+    list->AddImageRounded(ball, {px(11), middle - px(11)}, {px(33), middle + px(11)}, {0, 1},
+                          {1, 0}, ~0u, px(11));
+  } else {
+    list->AddCircleFilled({px(22), middle}, px(10), ink(Colour{}), 32);
+  }
+  drawText(list, fonts().display, {px(44), middle - fonts().display->FontSize / 2 - .5f},
+           ink(0xF4EFEA), "bozzetto");
+}
+
+}  // namespace
+
+void menuLine(Session& session, Command command) {
+  const CommandRow& row = rowOf(command);
+  const std::string key = session.keymap.chordText(command);
+  const std::string title(row.title);
+  if (ImGui::MenuItem(title.c_str(), key.c_str(), session.isChecked(command),
+                      session.isPossible(command))) {
+    session.run(command);
+  }
+  tooltip(std::string(row.tip));
+}
+
+void drawTopBar(const PanelContext& context) {
+  const Rect& at = context.layout.topBar;
+  ImGui::SetNextWindowPos({float(at.low.x), float(at.low.y)});
+  ImGui::SetNextWindowSize({float(at.width()), float(at.height())});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ink(tint::bar));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  // All of it is the menu bar, as high as the window.
+  const float high = float(at.height());
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(4), (high - fonts().regular->FontSize) / 2});
+  ImGui::Begin("top", nullptr, kFixed | ImGuiWindowFlags_MenuBar);
+  ImGui::PopStyleVar(2);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float middle = float(at.centre().y);
+  if (ImGui::BeginMenuBar()) {
+    wordMark(list, context.pictures.balls[0], middle);
+    ImGui::SetCursorScreenPos({px(134), float(at.low.y)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(20), px(8)});
+    menus(context.session);
+    ImGui::PopStyleVar();
+    const float menusEnd = ImGui::GetItemRectMax().x;
+    float left = speedPill(context, float(at.high.x) - px(14), middle);
+    left = mirrorPill(context.session, left - px(8), middle);
+    documentName(context.session, menusEnd, left, middle);
+    ImGui::EndMenuBar();
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace bozzetto::ui

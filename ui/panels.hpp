@@ -1,0 +1,83 @@
+// The panels, one file each. They read and change the session and draw with ImGui; no OpenGL.
+#pragma once
+#include <imgui.h>
+
+#include <array>
+#include <map>
+
+#include "ui/layout.hpp"
+#include "ui/session.hpp"
+#include "ui/theme.hpp"
+
+namespace bozzetto::ui {
+
+/// A look as a card shows it.
+struct LookCard {
+  const char* name;
+  Mode mode;
+  Matcap matcap;
+  const char* tip;
+};
+inline constexpr std::array<LookCard, 9> kLookCards{{
+    {"Clay", Mode::clay, Matcap::wax, "Matt wet clay: no environment"},
+    {"Glaze", Mode::glaze, Matcap::wax, "Clear coat: the environment, by angle"},
+    {"Chrome", Mode::metal, Matcap::wax, "The environment alone"},
+    {"Plastic", Mode::plastic, Matcap::wax, "A layer of paint: the environment, half transparent"},
+    {"Glass", Mode::glass, Matcap::wax, "See-through"},
+    {"Wax", Mode::matcap, Matcap::wax, "A painted ball of wax"},
+    {"Jade", Mode::matcap, Matcap::jade, "A painted ball of jade"},
+    {"Plaster", Mode::matcap, Matcap::plaster, "A painted ball of plaster"},
+    {"Pewter", Mode::matcap, Matcap::pewter, "A painted ball of pewter"},
+}};
+bool isShown(const LookCard& card, const Look& look);
+
+/// Pictures that whoever draws has made; 0 where there is none.
+struct UiPictures {
+  std::array<ImTextureID, kLookCards.size()> balls{};
+  std::map<std::uint64_t, ImTextureID> steps;  ///< by StepLine::id
+};
+
+/// What the frame before took.
+struct FrameFigures {
+  double milliseconds = 0, framesPerSecond = 0;
+  FrameReport viewport;
+  std::size_t uploadedPatches = 0;
+};
+
+struct PanelContext {
+  Session& session;
+  const Layout& layout;
+  const UiPictures& pictures;
+  const FrameFigures& figures;
+};
+
+void drawTopBar(const PanelContext& context);
+void drawToolColumn(const PanelContext& context);
+void drawProperties(const PanelContext& context);
+void drawStatusLine(const PanelContext& context);
+void drawViewportMarks(const PanelContext& context);
+void drawAxisBall(const PanelContext& context);
+void drawHistoryStrip(const PanelContext& context);
+void drawMessages(const PanelContext& context);
+void drawDialogs(const PanelContext& context);
+void drawProgress(const PanelContext& context);
+void drawHelp(const PanelContext& context);
+void drawPalette(const PanelContext& context);
+
+// Sections of the properties panel.
+void toolSection(Session& session);
+void shapeSection(Session& session);
+void lookSection(Session& session, const UiPictures& pictures);
+void colourSection(Session& session);
+void strokeSection(Session& session);
+void symmetrySection(Session& session);
+void lightSection(Session& session);
+void viewSection(Session& session);
+void claySection(Session& session);
+void historySection(Session& session);
+void performanceSection(Session& session, const FrameFigures& figures);
+
+/// Runs and shows a command as a menu's line.
+void menuLine(Session& session, Command command);
+
+}  // namespace bozzetto::ui

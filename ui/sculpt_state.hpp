@@ -1,0 +1,84 @@
+// What the hand holds and how strokes are made: values the panels show and operations are made of.
+#pragma once
+#include <array>
+#include <glm/gtc/quaternion.hpp>
+#include <span>
+#include <string_view>
+
+#include "bozzetto/tool/action.hpp"
+#include "bozzetto/tool/shape.hpp"
+#include "bozzetto/tool/stroke.hpp"
+
+namespace bozzetto::ui {
+
+enum class Icon { add, carve, erase, smooth, paint, softPaint, hold, push, grip, swell };
+
+struct ToolRow {
+  ActionKind action;
+  Icon icon;
+  std::string_view title;  ///< "Add clay"
+  std::string_view verb;   ///< in the status line
+  std::string_view what;   ///< one line on the card
+  ActionKind inverse;      ///< with the inverting key held; its own action when there is none
+  bool usesStrength;
+  bool usesColour;
+};
+
+inline constexpr int kToolCount = 10;
+std::span<const ToolRow, kToolCount> toolTable();
+const ToolRow& rowOf(ActionKind action);
+
+/// How the tool's own y axis stands.
+enum class Alignment { world, normal, view };
+
+/// What a drag on empty ground does.
+enum class EmptyDrag { sculpt, orbit };
+
+struct PressureCurve {
+  double gamma = 1;  ///< 1 straight; above 1 softer at first
+  double least = 0;  ///< what the lightest touch gives
+  double operator()(double pressure) const;
+};
+
+struct SculptState {
+  ActionKind action = ActionKind::add;
+  double size = 8;                  ///< world units: the largest radius, the limit of influence
+  glm::dvec3 proportions{1, 1, 1};  ///< of the radii; the largest is 1
+  Shape shape = Shape::ellipsoid;
+  Profile profile = Profile::wyvill;
+  glm::dquat rotation{1, 0, 0, 0};
+  Alignment alignment = Alignment::normal;
+  /// By action, in ActionKind's order.
+  std::array<double, kToolCount> strength{0.35, 0.35, 1, 1, 0.6, 0.6, 0.6, 0.7, 0.8, 0.5};
+  double depth = 0;  ///< of the tool's centre over the surface, in radii
+  Colour colour, second{0xdc, 0xcb, 0xaa};
+
+  double spacing = 0.25;  ///< between dabs, × the smallest radius
+  bool steady = false;
+  double rope = 40;  ///< pixels
+  bool pressureStrength = true, pressureSize = false;
+  PressureCurve curve;
+  Symmetry symmetry;
+
+  bool air = true;  ///< strokes may start in empty air
+  EmptyDrag emptyDrag = EmptyDrag::sculpt;
+
+  double& strengthOf(ActionKind kind) { return strength[std::size_t(kind)]; }
+  double strengthOf(ActionKind kind) const { return strength[std::size_t(kind)]; }
+  glm::dvec3 radii() const { return proportions * size; }
+
+  /// The tool standing on a surface with this normal, seen from `towardsViewer`.
+  ToolShape tool(const glm::dvec3& normal, const glm::dvec3& towardsViewer) const;
+  ActionOptions options(ActionKind kind) const;
+  /// A stroke that starts at this point.
+  Stroke strokeFrom(const StrokePoint& first) const;
+};
+
+/// The action that a stroke does with these keys held.
+enum class Held { nothing, invert, smooth };
+ActionKind actionFor(ActionKind chosen, Held held);
+
+/// Clay colours to choose from.
+std::span<const Colour, 14> clayColours();
+
+}  // namespace bozzetto::ui

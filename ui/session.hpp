@@ -1,0 +1,245 @@
+// The window without its pixels: what is held, looked at and asked for. Panels read and change it,
+// input goes through it, and every change of the clay leaves it as an operation for the worker.
+// Knows neither OpenGL nor ImGui, so that tests drive it directly.
+#pragma once
+#include <functional>
+#include <optional>
+
+#include "bozzetto/render/viewport.hpp"
+#include "ui/events.hpp"
+#include "ui/settings.hpp"
+#include "ui/stroke_maker.hpp"
+#include "ui/view_options.hpp"
+#include "ui/worker.hpp"
+
+namespace bozzetto::ui {
+
+/// What a hand moves.
+enum class Moves { scene, tool, light };
+
+/// What the pointer is doing in the viewport.
+enum class Gesture {
+  none,
+  stroke,
+  orbit,
+  pan,
+  zoom,
+  size,
+  strength,
+  rotation,
+  sizeAndStrength,
+  light,
+  pickColour,
+  boxHandle
+};
+
+enum class Dialog {
+  none,
+  open,
+  saveAs,
+  import,
+  exportMesh,
+  picture,
+  windowPicture,
+  turntable,
+  record,
+  replay,
+  unsaved,
+  help
+};
+
+/// A line that appears for some seconds.
+struct Message {
+  enum class Kind { note, error } kind = Kind::note;
+  std::string text;
+  double until = 0;
+};
+
+/// Where the pointer is, in the clay's world.
+struct Hover {
+  bool inside = false;  ///< of the free viewport
+  std::optional<GroundHit> ground;
+  glm::dvec3 air{0};  ///< the working point where there is no clay
+  const glm::dvec3& point() const { return ground ? ground->position : air; }
+};
+
+/// The tool held in space, in six degrees of freedom.
+struct HeldTool {
+  glm::dvec3 position{0};
+  glm::dquat rotation{1, 0, 0, 0};
+};
+
+/// What a still should be.
+struct PictureWish {
+  std::filesystem::path path;
+  int width = 1280, height = 960, slices = 12;
+  int frames = 1;  ///< above 1: a turntable, PATH-001.png …
+};
+
+class Session {
+ public:
+  struct Options {
+    std::filesystem::path scene;         ///< empty: a new ball
+    std::filesystem::path configFolder;  ///< empty: nothing is kept
+    std::function<void()> wake = [] {};  ///< from any thread: there is something to show
+  };
+  explicit Session(const Options& options);
+  ~Session();
+
+  // Every frame.
+  void setTime(double seconds) { now_ = seconds; }
+  double now() const { return now_; }
+  /// The free viewport in window pixels; `scale` of the interface.
+  void setViewport(glm::dvec2 corner, const Extent& extent, double scale);
+  /// Takes what the worker has finished. Returns patches for the renderer.
+  Publication poll();
+  /// The worker has something to take.
+  bool hasNews() const { return worker_.hasNews(); }
+
+  // Input that no panel took.
+  void pointer(const PointerMoved& event);
+  void press(Button button, Modifiers held);
+  void release(Button button);
+  void wheel(double notches, Modifiers held);
+  /// True when the key meant something.
+  bool key(const Chord& chord, bool repeated);
+  void modifiers(Modifiers held) { held_ = held; }
+  void puck(const PuckMoved& event);
+  void puckButton(const PuckButton& event);
+  void leave() { hover_.inside = false; }
+  void drop(const std::vector<std::string>& paths);
+  void askToClose();
+
+  void run(Command command);
+  bool isChecked(Command command) const;
+  bool isPossible(Command command) const;
+
+  // Files. All ask first when something would be lost.
+  void openScene(const std::filesystem::path& path);
+  void saveScene(const std::filesystem::path& path, std::function<void()> then = {});
+  void importMesh(const std::filesystem::path& path, int cells);
+  void exportMesh(const std::filesystem::path& path, double keep);
+  void saveRecording(const std::filesystem::path& path);
+  void replay(const std::filesystem::path& path);
+  void takePicture(const PictureWish& wish);
+  void apply(const Operation& operation);
+  void resample(double spacing);
+  void showStructure(Structure structure);
+  /// Undoes or redoes until `done` steps are done.
+  void goToStep(std::size_t done);
+  void setTool(ActionKind action) { sculpt.action = action; }
+
+  // What panels change freely.
+  SculptState sculpt;
+  ViewOptions options;
+  ViewState view;
+  Settings settings;
+  Keymap keymap;
+  Moves mouseMoves = Moves::scene, puckMoves = Moves::scene;
+  Dialog dialog = Dialog::none;
+  std::optional<Command> rebinding;  ///< the next key becomes this command's
+  bool justRebound = false;
+  std::optional<double> wantedSpacing;  ///< of the resampling that is being chosen
+  bool paletteOpen = false;
+  bool panelsShown = true;
+  glm::dvec2 palettePlace{0};
+  bool fullScreen = false;
+  std::function<Bytes()> thumbnail;                    ///< a PNG of the view; may be empty
+  std::optional<std::filesystem::path> windowPicture;  ///< to be written after the next frame
+
+  // What panels show.
+  const ClayStatus& status() const { return status_; }
+  const ClayStatistics& statistics() const { return statistics_; }
+  const PatchSet& patches() const { return patches_; }
+  const Hover& hover() const { return hover_; }
+  Gesture gesture() const { return gesture_; }
+  Modifiers held() const { return held_; }
+  Held heldMeaning() const;
+  ActionKind actionNow() const { return actionFor(sculpt.action, heldMeaning()); }
+  const std::optional<HeldTool>& heldTool() const { return heldTool_; }
+  const StrokeMaker* strokeMaker() const { return maker_ ? &*maker_ : nullptr; }
+  const std::filesystem::path& path() const { return path_; }
+  std::string title() const;
+  bool isModified() const { return status_.version != status_.savedVersion; }
+  bool wantsToClose() const { return closing_; }
+  const std::shared_ptr<LongJob>& job() const { return job_; }
+  std::vector<Message> messages() const;
+  void say(Message::Kind kind, std::string text);
+  glm::dvec2 pointerAt() const { return pointer_; }
+  const Extent& extent() const { return extent_; }
+  glm::dvec2 corner() const { return corner_; }
+  double lastInput() const { return lastInput_; }
+  double savedAt() const { return savedAt_; }
+  ViewFrame viewFrame() const;
+  Overlays overlays() const;
+  ClayWorker& worker() { return worker_; }
+  /// Does `next` at once, or after asking when work would be lost.
+  void ifSaved(std::function<void()> next);
+  void answerUnsaved(bool save);
+  /// Something else than input changed what is shown.
+  void touch() { lastInput_ = now_; }
+  void lookFrom(double yaw, double pitch);
+  void frameAll();
+
+ private:
+  void beginStroke(double pressure);
+  void continueStroke(double pressure);
+  void flushStroke();
+  void endStroke();
+  void cancelStroke();
+  void beginHeldStroke();
+  void dragTo(glm::dvec2 to);
+  void dragValues(glm::dvec2 by);
+  void pickColour();
+  void turnLight(glm::dvec2 by);
+  void updateHover();
+  void movedView(const ViewState& before);
+  void moveToolDepth(double notches);
+  void opened(const SceneParts& parts);
+  void whenDone(std::shared_ptr<LongJob> job, std::function<void()> then);
+  void startNew(NewClay kind);
+  bool runFile(Command command);
+  bool runStroke(Command command);
+  void runView(Command command);
+  void showNextTool();
+  void turnBy(double yaw, double pitch);
+  void frameEdit();
+  void scaleSize(double factor);
+  SceneParts parts() const;
+  Gesture gestureFor(Button button, Modifiers held) const;
+  GroundHit heldGround() const;
+  ToolShape toolAt(const GroundHit& ground) const;
+  void addRings(Overlays& overlays) const;
+  void addTool(Overlays& overlays) const;
+  void addStage(Overlays& overlays) const;
+
+  double now_ = 0, lastInput_ = 0, savedAt_ = -1;
+  glm::dvec2 corner_{0}, pointer_{0}, pressedAt_{0};
+  Extent extent_{1280, 800};
+  double scale_ = 1;
+  Modifiers held_;
+  double pressure_ = 1;
+  Hover hover_;
+  Gesture gesture_ = Gesture::none;
+  bool gestureByKey_ = false;
+  SculptState before_;
+  ViewHistory views_;
+  std::optional<glm::dvec3> airPoint_;
+  std::optional<HeldTool> heldTool_;
+  std::optional<StrokeMaker> maker_;
+  bool heldStroke_ = false;
+  std::vector<StrokePoint> points_;
+
+  PatchSet patches_;
+  ClayStatus status_;
+  ClayStatistics statistics_;
+  std::filesystem::path path_, configFolder_;
+  bool closing_ = false, framed_ = false, sized_ = false;
+  std::vector<Message> messages_;
+  std::function<void()> afterSaving_;
+  std::shared_ptr<LongJob> job_;
+  std::function<void()> afterJob_;
+  ClayWorker worker_;
+};
+
+}  // namespace bozzetto::ui

@@ -1,0 +1,193 @@
+// Files: what leaves and enters the session, with questions first and progress meanwhile.
+#include <fmt/format.h>
+
+#include "bozzetto/render/picture.hpp"
+#include "bozzetto/render/png.hpp"
+#include "ui/session.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lower(std::string text) {
+  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::string numbered(const fs::path& path, int frame) {
+  const fs::path folder = path.parent_path();
+  return (folder / fmt::format("{}-{:03}.png", path.stem().string(), frame + 1)).string();
+}
+
+}  // namespace
+
+void Session::whenDone(std::shared_ptr<LongJob> job, std::function<void()> then) {
+  job_ = std::move(job);
+  afterJob_ = std::move(then);
+}
+
+void Session::ifSaved(std::function<void()> next) {
+  if (!isModified()) return next();
+  afterSaving_ = std::move(next);
+  dialog = Dialog::unsaved;
+}
+
+void Session::answerUnsaved(bool save) {
+  dialog = Dialog::none;
+  const auto next = std::exchange(afterSaving_, nullptr);
+  if (!next) return;
+  if (!save) return next();
+  if (!path_.empty()) return saveScene(path_, next);
+  afterSaving_ = next;  // saveScene goes on with it
+  dialog = Dialog::saveAs;
+}
+
+void Session::askToClose() {
+  ifSaved([this] { closing_ = true; });
+}
+
+void Session::startNew(NewClay kind) {
+  path_.clear();
+  worker_.post([kind](ClayDesk& desk) { desk.startNew(kind); });
+}
+
+void Session::openScene(const fs::path& path) {
+  dialog = Dialog::none;
+  if (!fs::exists(path)) {
+    // A name for a scene that is to be: start with a ball and save there.
+    startNew(NewClay::ball);
+    path_ = path;
+    return;
+  }
+  whenDone(worker_.start("Opening " + path.filename().string(),
+                         [path](ClayDesk& desk, Progress& progress) { desk.open(path, progress); }),
+           [this, path] {
+             path_ = path;
+             settings.remember(path);
+           });
+}
+
+SceneParts Session::parts() const {
+  SceneParts parts;
+  parts.view.camera = sceneCameraOf(view);
+  parts.view.workspace = options.boxSize;
+  if (thumbnail) parts.thumbnail = thumbnail();
+  return parts;
+}
+
+void Session::saveScene(const fs::path& wanted, std::function<void()> then) {
+  fs::path path = wanted;
+  if (path.extension().empty()) path += ".bzt";
+  dialog = Dialog::none;
+  if (!then) then = std::exchange(afterSaving_, nullptr);
+  afterSaving_ = nullptr;
+  whenDone(worker_.start("Saving " + path.filename().string(),
+                         [path, parts = parts()](ClayDesk& desk, Progress& progress) {
+                           desk.save(path, parts, progress);
+                         }),
+           [this, path, then] {
+             path_ = path;
+             savedAt_ = now_;
+             settings.remember(path);
+             say(Message::Kind::note, "Saved " + path.filename().string());
+             if (then) then();
+           });
+}
+
+void Session::importMesh(const fs::path& path, int cells) {
+  dialog = Dialog::none;
+  ImportOptions how;
+  how.cells = cells;
+  how.colour = sculpt.colour;
+  whenDone(worker_.start("Importing " + path.filename().string(),
+                         [path, how](ClayDesk& desk, Progress& progress) {
+                           desk.import(path, how, progress);
+                         }),
+           [this] { path_.clear(); });
+}
+
+void Session::exportMesh(const fs::path& path, double keep) {
+  dialog = Dialog::none;
+  whenDone(worker_.start("Exporting " + path.filename().string(),
+                         [path, keep](ClayDesk& desk, Progress& progress) {
+                           desk.exportMesh(path, keep, progress);
+                         }),
+           [this, path] { say(Message::Kind::note, "Exported " + path.filename().string()); });
+}
+
+void Session::saveRecording(const fs::path& path) {
+  dialog = Dialog::none;
+  worker_.post([path](ClayDesk& desk) {
+    desk.saveRecording(path);
+    desk.note("Recording saved as " + path.filename().string());
+  });
+}
+
+void Session::replay(const fs::path& path) {
+  dialog = Dialog::none;
+  whenDone(
+      worker_.start("Replaying " + path.filename().string(),
+                    [path](ClayDesk& desk, Progress& progress) { desk.replay(path, progress); }),
+      {});
+}
+
+void Session::resample(double spacing) {
+  whenDone(worker_.start("Resampling",
+                         [spacing](ClayDesk& desk, Progress& progress) {
+                           desk.apply(ResampleOperation{spacing}, progress);
+                         }),
+           {});
+}
+
+void Session::showStructure(Structure structure) {
+  options.structure = structure;
+  options.look.cellLines = structure != Structure::surface;
+  worker_.post([structure](ClayDesk& desk) { desk.setStructure(structure); });
+}
+
+// The view as it is, without panels. Drawn by a context of the worker's own.
+void Session::takePicture(const PictureWish& wish) {
+  dialog = Dialog::none;
+  PictureOptions how;
+  how.width = wish.width;
+  how.height = wish.height;
+  how.slices = wish.slices;
+  how.frames = wish.frames;
+  how.look = options.look;
+  how.look.dither = 0;
+  how.projection = view.projection;
+  how.camera = cameraOf(view, status_.scale.spacing);
+  whenDone(worker_.start("Drawing " + wish.path.filename().string(),
+                         [wish, how](ClayDesk& desk, Progress& progress) {
+                           const Sculptor& sculptor = desk.sculptor();
+                           if (wish.frames == 1) {
+                             writePng(wish.path, renderPicture(sculptor.surface(), sculptor.field(),
+                                                               how, progress));
+                             return;
+                           }
+                           const auto keep = [&](int frame, const Image& image) {
+                             writePng(numbered(wish.path, frame), image);
+                           };
+                           renderTurn(sculptor.surface(), sculptor.field(), how, keep, progress);
+                         }),
+           [this, wish] { say(Message::Kind::note, "Saved " + wish.path.filename().string()); });
+}
+
+// By what the first file is.
+void Session::drop(const std::vector<std::string>& paths) {
+  if (paths.empty()) return;
+  const fs::path path = paths.front();
+  const std::string kind = lower(path.extension().string());
+  if (kind == ".bzt") {
+    ifSaved([this, path] { openScene(path); });
+  } else if (kind == ".jsonl") {
+    replay(path);
+  } else if (kind == ".png") {
+    say(Message::Kind::note, "Pictures can be set as matcap in the look panel");
+  } else {
+    ifSaved([this, path] { importMesh(path, 192); });
+  }
+}
+
+}  // namespace bozzetto::ui

@@ -1,0 +1,235 @@
+// What pointer, keys and puck do in the viewport.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "ui/session.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+constexpr double kPuckUnitsPerSecond = 0.9;  // of the view's height
+constexpr double kPuckRadiansPerSecond = 1.6;
+constexpr double kDragFactor = 220;  // pixels for e-fold of size, at scale 1
+
+bool movesView(Gesture gesture) {
+  return gesture == Gesture::orbit || gesture == Gesture::pan || gesture == Gesture::zoom;
+}
+
+}  // namespace
+
+void Session::pointer(const PointerMoved& event) {
+  const glm::dvec2 to = event.at - corner_;
+  pressure_ = event.pressure;
+  hover_.inside = to.x >= 0 && to.y >= 0 && to.x < extent_.width && to.y < extent_.height;
+  if (gesture_ != Gesture::none) dragTo(to);
+  pointer_ = to;
+  touch();
+  if (!movesView(gesture_)) updateHover();
+}
+
+void Session::updateHover() {
+  const Ray ray = rayThrough(view, extent_, pointer_);
+  hover_.ground = groundUnder(patches_, ray, status_.scale.spacing);
+  hover_.air = onFacingPlane(view, ray, airPoint_.value_or(view.target));
+}
+
+Gesture Session::gestureFor(Button button, Modifiers with) const {
+  const bool blender = keymap.profile() == KeyProfile::blender;
+  const bool onGround = hover_.ground.has_value();
+  if (button == Button::middle || (blender && button == Button::left && with.alt)) {
+    if (mouseMoves == Moves::light) return Gesture::light;
+    if (with.shift) return Gesture::pan;
+    return with.ctrl ? Gesture::zoom : Gesture::orbit;
+  }
+  if (button == Button::left) {
+    const bool turns = sculpt.emptyDrag == EmptyDrag::orbit && !onGround;
+    return turns ? Gesture::orbit : Gesture::stroke;
+  }
+  if (blender) return Gesture::sizeAndStrength;
+  if (with.alt) return Gesture::pan;
+  return with.ctrl ? Gesture::zoom : Gesture::orbit;
+}
+
+void Session::press(Button button, Modifiers with) {
+  held_ = with;
+  touch();
+  if (gestureByKey_) {  // F and its kin: the left button takes the value, others give it back
+    if (button != Button::left) sculpt = before_;
+    gesture_ = Gesture::none;
+    gestureByKey_ = false;
+    return;
+  }
+  if (gesture_ == Gesture::pickColour) {
+    pickColour();
+    return;
+  }
+  if (gesture_ != Gesture::none) return;
+  pressedAt_ = pointer_;
+  before_ = sculpt;
+  gesture_ = gestureFor(button, with);
+  if (gesture_ == Gesture::stroke) beginStroke(pressure_);
+}
+
+void Session::release(Button) {
+  touch();
+  if (gestureByKey_ || gesture_ == Gesture::pickColour) return;
+  if (gesture_ == Gesture::stroke) endStroke();
+  gesture_ = Gesture::none;
+  updateHover();
+}
+
+void Session::dragTo(glm::dvec2 to) {
+  const ViewState before = view;
+  switch (gesture_) {
+    case Gesture::stroke:
+      pointer_ = to;
+      continueStroke(pressure_);
+      return;
+    case Gesture::orbit:
+      orbit(view, extent_, pointer_, to, settings.orbit);
+      break;
+    case Gesture::pan:
+      pan(view, extent_, to - pointer_);
+      break;
+    case Gesture::zoom:
+      zoom(view, extent_, (pointer_.y - to.y) / (20 * scale_), pressedAt_);
+      break;
+    case Gesture::light:
+      turnLight(to - pointer_);
+      return;
+    default:
+      dragValues(to - pointer_);
+      return;
+  }
+  movedView(before);
+}
+
+// Size and strength by dragging: right or up is more.
+void Session::dragValues(glm::dvec2 by) {
+  by /= scale_;
+  const auto strengthen = [&](double amount) {
+    double& strength = sculpt.strengthOf(sculpt.action);
+    strength = std::clamp(strength + amount, 0.01, 1.0);
+  };
+  switch (gesture_) {
+    case Gesture::size:
+      scaleSize(std::exp(by.x / kDragFactor));
+      break;
+    case Gesture::strength:
+      strengthen(by.x / 300);
+      break;
+    case Gesture::rotation:
+      sculpt.rotation =
+          glm::normalize(glm::angleAxis(by.x / 100, glm::dvec3(0, 1, 0)) * sculpt.rotation);
+      break;
+    case Gesture::sizeAndStrength:
+      scaleSize(std::exp(-by.y / kDragFactor));
+      strengthen(by.x / 300);
+      break;
+    default:
+      break;
+  }
+}
+
+void Session::scaleSize(double factor) {
+  const double spacing = status_.scale.spacing;
+  sculpt.size = std::clamp(sculpt.size * factor, kSmallestToolCells * spacing, 256 * spacing);
+}
+
+void Session::wheel(double notches, Modifiers with) {
+  touch();
+  if (with.ctrl) return moveToolDepth(notches);
+  if (with.shift) return scaleSize(std::pow(1.1, notches));
+  const ViewState before = view;
+  zoom(view, extent_, notches, pointer_);
+  movedView(before);
+}
+
+// The working point in the air, nearer or farther.
+void Session::moveToolDepth(double notches) {
+  const glm::dvec3 from = hover_.ground ? hover_.ground->position : hover_.air;
+  airPoint_ = from - view.back() * (notches * sculpt.size * 0.5);
+  updateHover();
+}
+
+bool Session::key(const Chord& chord, bool repeated) {
+  touch();
+  if (chord.key == KeyCode::escape) {
+    cancelStroke();
+    if (gestureByKey_) sculpt = before_;
+    if (gesture_ == Gesture::pickColour || gestureByKey_) gesture_ = Gesture::none;
+    gestureByKey_ = false;
+    paletteOpen = false;
+    return true;
+  }
+  if (gestureByKey_ && chord.key == KeyCode::enter) {
+    gesture_ = Gesture::none;
+    gestureByKey_ = false;
+    return true;
+  }
+  const auto command = keymap.find(chord);
+  if (!command) return false;
+  const bool repeats = *command == Command::larger || *command == Command::smaller ||
+                       *command == Command::stronger || *command == Command::weaker ||
+                       *command == Command::undo || *command == Command::redo ||
+                       (*command >= Command::orbitLeft && *command <= Command::orbitDown);
+  if (repeated && !repeats) return true;
+  if (isPossible(*command)) run(*command);
+  return true;
+}
+
+void Session::turnLight(glm::dvec2 by) { options.look.studio.turn += float(by.x * 0.01 / scale_); }
+
+void Session::pickColour() {
+  gesture_ = Gesture::none;
+  const Ray ray = rayThrough(view, extent_, pointer_);
+  const auto hit = patches_.pick({ray.origin / status_.scale.spacing, ray.direction});
+  if (hit) sculpt.colour = hit->colour;
+}
+
+// Six degrees of freedom in the picture's frame: for the scene the hand holds the clay, for the
+// tool it holds the tool.
+void Session::puck(const PuckMoved& event) {
+  touch();
+  const double speed = settings.puckSpeed * event.seconds;
+  const double reach = unitsPerPixel(view, extent_, view.target) * extent_.height;
+  const glm::dvec3 push = event.push * (speed * kPuckUnitsPerSecond * reach);
+  const glm::dvec3 turn = event.turn * (speed * kPuckRadiansPerSecond);
+  const double angle = glm::length(turn);
+  const glm::dquat spin =
+      angle > 1e-12 ? glm::angleAxis(angle, turn / angle) : glm::dquat(1, 0, 0, 0);
+  if (puckMoves == Moves::light) {
+    options.look.studio.turn += float(turn.y);
+    return;
+  }
+  if (puckMoves == Moves::tool) {
+    if (!heldTool_) heldTool_ = HeldTool{hover_.point(), sculpt.rotation};
+    const glm::dquat world = view.worldFromView;
+    heldTool_->position += world * push;
+    heldTool_->rotation =
+        glm::normalize(world * spin * glm::conjugate(world) * heldTool_->rotation);
+    if (heldStroke_) continueStroke(1);
+    return;
+  }
+  const ViewState before = view;
+  view.worldFromView = glm::normalize(view.worldFromView * glm::conjugate(spin));
+  view.target -= view.right() * push.x + view.up() * push.y;
+  view.distance = std::clamp(view.distance - push.z, reach * 1e-3, 1e12);
+  movedView(before);
+}
+
+void Session::puckButton(const PuckButton& event) {
+  touch();
+  if (event.number == 0 && puckMoves == Moves::tool) {
+    if (event.down) beginHeldStroke();
+    if (!event.down && heldStroke_) endStroke();
+    return;
+  }
+  if (event.number == 0 && event.down) run(Command::frameAll);
+  if (event.number == 1 && event.down) {
+    run(puckMoves == Moves::scene ? Command::moveTool : Command::moveScene);
+  }
+}
+
+}  // namespace bozzetto::ui

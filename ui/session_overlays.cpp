@@ -1,0 +1,137 @@
+// What is drawn over the clay: ring, tool, working plane, box.
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "bozzetto/tool/symmetry.hpp"
+#include "ui/session.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+constexpr Ink kAdding{1, .725f, .541f, 1};       // #FFB98A
+constexpr Ink kCarving{.435f, .780f, .839f, 1};  // #6FC7D6
+
+Ink inkFor(ActionKind action, Colour colour) {
+  switch (action) {
+    case ActionKind::add:
+      return kAdding;
+    case ActionKind::paint:
+    case ActionKind::paintSoft:
+      return {float(colour.r) / 255, float(colour.g) / 255, float(colour.b) / 255, 1};
+    case ActionKind::smooth:
+      return {.86f, .87f, .88f, 1};
+    default:
+      return kCarving;
+  }
+}
+
+std::shared_ptr<const ToolMesh> meshFor(Shape shape, const glm::dvec3& radii) {
+  switch (shape) {
+    case Shape::box:
+      return unitMesh(UnitShape::box);
+    case Shape::cylinder:
+      return unitMesh(UnitShape::cylinder);
+    case Shape::capsule:
+      return capsuleMesh(glm::vec3(radii));
+    default:
+      return unitMesh(UnitShape::ball);
+  }
+}
+
+// Where the potential falls to one half: what the tool leaves behind, roughly.
+double coreOf(Profile profile) { return profile == Profile::wyvill ? 0.5 : 0.85; }
+
+glm::dmat4 placed(const glm::dvec3& at, const glm::dmat3& turn, const glm::dvec3& radii) {
+  return glm::translate(glm::dmat4(1), at) * glm::dmat4(turn) * glm::scale(glm::dmat4(1), radii);
+}
+
+}  // namespace
+
+Overlays Session::overlays() const {
+  Overlays overlays;
+  addStage(overlays);
+  const bool busy = gesture_ == Gesture::orbit || gesture_ == Gesture::pan ||
+                    gesture_ == Gesture::zoom || gesture_ == Gesture::light;
+  const bool held = heldTool_ && puckMoves == Moves::tool;
+  if ((hover_.inside && !busy && dialog == Dialog::none) || held) {
+    if (options.ring) addRings(overlays);
+    addTool(overlays);
+  }
+  return overlays;
+}
+
+// The cursor and, thinner, its images.
+void Session::addRings(Overlays& overlays) const {
+  const double spacing = status_.scale.spacing;
+  const bool held = heldTool_ && puckMoves == Moves::tool;
+  const bool onClay = hover_.ground.has_value() && !held;
+  if (!onClay && !sculpt.air && !held) return;
+  RingCursor ring;
+  ring.on = onClay ? RingCursor::On::clay : RingCursor::On::air;
+  ring.centre = (held ? heldTool_->position : hover_.point()) / spacing;
+  ring.normal = onClay ? hover_.ground->normal : view.back();
+  ring.radius = sculpt.size / spacing * coreOf(sculpt.profile);
+  ring.ink = inkFor(actionNow(), sculpt.colour);
+  const glm::dvec3 centre = sculpt.symmetry.centre / spacing;
+  for (const glm::dmat3& image : imagesOf(sculpt.symmetry)) {
+    RingCursor copy = ring;
+    copy.centre = centre + image * (ring.centre - centre);
+    copy.normal = image * ring.normal;
+    copy.weight = overlays.rings.empty() ? 1 : .5f;
+    overlays.rings.push_back(copy);
+  }
+}
+
+void Session::addTool(Overlays& overlays) const {
+  if (options.tool == ToolDisplay::hidden) return;
+  const double spacing = status_.scale.spacing;
+  const bool held = heldTool_ && puckMoves == Moves::tool;
+  if (!held && !hover_.ground && !sculpt.air) return;
+  GroundHit ground = hover_.ground.value_or(GroundHit{hover_.air, view.back()});
+  if (held) ground = heldGround();
+  const ToolShape tool = toolAt(ground);
+  const glm::dvec3 radii = tool.radii / spacing;
+  const glm::dmat3 turn = glm::mat3_cast(normalisedRotation(tool.rotation));
+  glm::dvec3 at = ground.position / spacing;
+  if (!held) at += ground.normal * (sculpt.depth * sculpt.size / spacing);
+  ToolGhost ghost;
+  const bool isCapsule = tool.shape == Shape::capsule;
+  const double core = coreOf(tool.profile);
+  ghost.mesh = meshFor(tool.shape, radii * core);
+  ghost.cellsFromTool = placed(at, turn, isCapsule ? glm::dvec3(1) : radii * core);
+  if (options.limit) {
+    ghost.limit = meshFor(tool.shape, radii);
+    ghost.cellsFromLimit = placed(at, turn, isCapsule ? glm::dvec3(1) : radii);
+  }
+  ghost.display = options.tool;
+  ghost.ink = inkFor(actionNow(), sculpt.colour);
+  overlays.tools.push_back(ghost);
+  if (hover_.ground && !held) return;
+  WorkingPlane plane;
+  plane.centre = at;
+  plane.normal = view.back();
+  plane.radius = 3.2 * sculpt.size / spacing;
+  plane.toolRadius = sculpt.size / spacing * core;
+  plane.shadowFloor = status_.stage.floor;
+  overlays.plane = plane;
+}
+
+void Session::addStage(Overlays& overlays) const {
+  const double spacing = status_.scale.spacing;
+  if (options.grid) {
+    FloorGrid grid;
+    grid.centre = {status_.stage.centre.x, status_.stage.floor, status_.stage.centre.z};
+    grid.step = std::max(1.0, status_.stage.unit / 4);
+    overlays.grid = grid;
+  }
+  if (!options.box) return;
+  BoxOutline box;
+  const CellBounds all = patches_.bounds();
+  box.low = options.boxSize ? options.boxSize->low / spacing : all.low;
+  box.high = options.boxSize ? options.boxSize->high / spacing : all.high;
+  if (!options.boxSize && all.empty()) return;
+  overlays.box = box;
+}
+
+}  // namespace bozzetto::ui

@@ -1,0 +1,75 @@
+// Strokes: from the pointer, or from a tool held in space, to the worker.
+#include "ui/session.hpp"
+
+namespace bozzetto::ui {
+
+GroundHit Session::heldGround() const { return {heldTool_->position, view.back()}; }
+
+ToolShape Session::toolAt(const GroundHit& ground) const {
+  ToolShape tool = sculpt.tool(ground.normal, view.back());
+  if (heldTool_) tool.rotation = heldTool_->rotation;
+  return tool;
+}
+
+void Session::beginStroke(double pressure) {
+  if (heldTool_ && puckMoves == Moves::tool) return beginHeldStroke();
+  const StrokeMaker::Setting setting{view, extent_, status_.scale.spacing,
+                                     airPoint_.value_or(view.target)};
+  maker_.emplace(patches_, sculpt, setting);
+  const auto first = maker_->begin(pointer_, pressure);
+  if (!first) {
+    maker_.reset();
+    gesture_ = Gesture::none;
+    return;
+  }
+  const ToolShape tool = toolAt(maker_->start());
+  const ActionOptions action = sculpt.options(actionNow());
+  worker_.post([tool, action, stroke = sculpt.strokeFrom(*first)](ClayDesk& desk) {
+    desk.beginStroke(tool, action, stroke);
+  });
+}
+
+void Session::beginHeldStroke() {
+  if (!heldTool_) heldTool_ = HeldTool{hover_.point(), sculpt.rotation};
+  heldStroke_ = true;
+  const ToolShape tool = toolAt(heldGround());
+  const ActionOptions action = sculpt.options(actionNow());
+  worker_.post([tool, action, stroke = sculpt.strokeFrom({heldTool_->position, 1})](
+                   ClayDesk& desk) { desk.beginStroke(tool, action, stroke); });
+}
+
+void Session::continueStroke(double pressure) {
+  if (heldStroke_) {
+    points_.push_back({heldTool_->position, 1});
+  } else if (maker_) {
+    const auto next = maker_->move(pointer_, pressure);
+    if (next) points_.push_back(*next);
+  }
+  flushStroke();
+}
+
+void Session::flushStroke() {
+  if (points_.empty()) return;
+  worker_.post(
+      [points = std::exchange(points_, {})](ClayDesk& desk) { desk.extendStroke(points); });
+}
+
+void Session::endStroke() {
+  flushStroke();
+  // Strokes in the air go on from where this one ended.
+  if (maker_) airPoint_ = maker_->last();
+  maker_.reset();
+  heldStroke_ = false;
+  worker_.post([](ClayDesk& desk) { desk.endStroke(); });
+}
+
+void Session::cancelStroke() {
+  if (!maker_ && !heldStroke_) return;
+  maker_.reset();
+  heldStroke_ = false;
+  points_.clear();
+  gesture_ = Gesture::none;
+  worker_.post([](ClayDesk& desk) { desk.cancelStroke(); });
+}
+
+}  // namespace bozzetto::ui

@@ -1,0 +1,25 @@
+// How the clay is shown: values the view panels change.
+#pragma once
+#include "bozzetto/render/look.hpp"
+#include "bozzetto/render/overlays.hpp"
+#include "bozzetto/render/stereo.hpp"
+#include "bozzetto/render/structure.hpp"
+#include "bozzetto/scene/view.hpp"
+
+namespace bozzetto::ui {
+
+struct ViewOptions {
+  Look look;
+  Stereo stereo;
+  Structure structure = Structure::surface;
+  ToolDisplay tool = ToolDisplay::transparent;
+  bool ring = true;
+  bool limit = false;  ///< of influence, around the tool's body
+  bool grid = false;
+  std::optional<Quality> quality;  ///< none: as the frames' times say
+
+  bool box = false;
+  std::optional<WorkspaceBox> boxSize;  ///< none: around the clay
+};
+
+}  // namespace bozzetto::ui

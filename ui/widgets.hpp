@@ -1,0 +1,59 @@
+// The few controls all panels are made of.
+#pragma once
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/keymap.hpp"
+#include "ui/theme.hpp"
+
+namespace bozzetto::ui {
+
+/// A slider's numbers. `shown` is what stands on the right; typed numbers are × `typed`.
+struct Slide {
+  double low = 0, high = 1;
+  const char* unit = "";
+  double typed = 1;  ///< 100 for per cent
+  int digits = 0;
+  bool logarithmic = false;
+  bool pen = false;  ///< pressure drives it
+};
+
+/// Label left, value right, a track below; Ctrl+click types a number. True while it changes.
+bool slider(const char* label, double& value, const Slide& slide, const char* tip);
+
+/// True when it was switched.
+bool toggle(const char* label, bool& on, const char* tip);
+
+/// A title that opens and closes what follows. True when open.
+bool section(const char* title, bool openAtFirst = true);
+
+/// Names in a row, one of them chosen. True when another was chosen.
+bool choice(const char* id, int& chosen, std::initializer_list<const char*> names, const char* tip);
+
+/// A button across the panel's width. `accent` for the one that matters.
+enum class ButtonKind { plain, accent };
+bool button(const char* label, ImVec2 size, ButtonKind kind = ButtonKind::plain,
+            const char* tip = "");
+
+/// A square of colour; a ring around the chosen one. True when clicked.
+bool swatch(const char* id, Colour colour, float side, bool chosen);
+
+/// Label left, value right.
+void factLine(const char* label, const std::string& value, const char* tip = "");
+
+/// For the item before. With the command's key where it has one.
+void tooltip(const std::string& text);
+void tooltip(const Keymap& keymap, Command command);
+
+/// "396 260".
+std::string grouped(long long number);
+/// "31 MB".
+std::string byteText(double bytes);
+
+/// Windows that stand where they are put.
+inline constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                           ImGuiWindowFlags_NoSavedSettings |
+                                           ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+}  // namespace bozzetto::ui

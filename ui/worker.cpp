@@ -1,0 +1,158 @@
+#include "ui/worker.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+
+namespace bozzetto::ui {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto kBetween = std::chrono::milliseconds(8);  // between dabs shown
+
+// Calls `work`; the text of what went wrong, or nothing.
+template <class Do>
+std::string errorOf(const Do& work) {
+  try {
+    work();
+    return "";
+  } catch (const Cancelled&) {
+    return "";
+  } catch (const std::bad_alloc&) {
+    return "not enough memory";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+bool LongJob::report(std::string_view, double done) {
+  done_ = std::clamp(done, 0.0, 1.0);
+  return !cancelled_;
+}
+
+void LongJob::note(std::string_view text) {
+  const std::lock_guard lock(mutex_);
+  notes_.emplace_back(text);
+}
+
+std::vector<std::string> LongJob::takeNotes() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(notes_, {});
+}
+
+ClayWorker::ClayWorker(std::function<void()> wake)
+    : wake_(std::move(wake)), thread_([this] { run(); }) {}
+
+ClayWorker::~ClayWorker() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+    if (job_) job_->cancel();
+  }
+  work_.notify_one();
+  thread_.join();
+}
+
+void ClayWorker::post(Task task) {
+  {
+    const std::lock_guard lock(mutex_);
+    tasks_.push_back(std::move(task));
+  }
+  work_.notify_one();
+}
+
+std::shared_ptr<LongJob> ClayWorker::start(std::string title, Work work) {
+  auto job = std::make_shared<LongJob>(std::move(title));
+  {
+    const std::lock_guard lock(mutex_);
+    job_ = job;
+  }
+  post([job, work = std::move(work)](ClayDesk& desk) {
+    const std::string error = errorOf([&] { work(desk, *job); });
+    for (std::string& text : job->takeNotes()) desk.note(std::move(text));
+    if (!error.empty()) desk.fail(error);
+    job->failed_ = !error.empty() || job->isCancelled();
+    job->over_ = true;
+  });
+  return job;
+}
+
+Publication ClayWorker::take() {
+  const std::lock_guard lock(mutex_);
+  news_ = false;
+  return std::exchange(ready_, {});
+}
+
+bool ClayWorker::isIdle() const {
+  const std::lock_guard lock(mutex_);
+  return tasks_.empty() && !busy_;
+}
+
+void ClayWorker::waitUntilSettled() {
+  std::unique_lock lock(mutex_);
+  settled_.wait(lock, [this] { return tasks_.empty() && !busy_ && resting_; });
+}
+
+void ClayWorker::publish(ClayDesk& desk) {
+  Publication fresh = desk.take();
+  if (fresh.empty()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    ready_.add(std::move(fresh));
+    news_ = true;
+  }
+  wake_();
+}
+
+// What waits for a quiet moment, piece by piece while nothing is asked for. False when there is
+// something to do, or all is done.
+bool ClayWorker::rest(ClayDesk& desk) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!tasks_.empty() || resting_ || stop_) return false;
+  }
+  const bool more = desk.settle();
+  publish(desk);
+  const std::lock_guard lock(mutex_);
+  resting_ = !more;
+  return more;
+}
+
+// The next task; nothing when it is time to end.
+std::optional<ClayWorker::Task> ClayWorker::next() {
+  std::unique_lock lock(mutex_);
+  busy_ = false;
+  if (tasks_.empty() && resting_) settled_.notify_all();
+  work_.wait(lock, [this] { return stop_ || !tasks_.empty(); });
+  if (tasks_.empty()) return std::nullopt;
+  Task task = std::move(tasks_.front());
+  tasks_.pop_front();
+  busy_ = true;
+  resting_ = false;
+  return task;
+}
+
+void ClayWorker::run() {
+  ClayDesk desk;
+  publish(desk);
+  Clock::time_point shown = Clock::now();
+  while (const std::optional<Task> task = next()) {
+    const std::string error = errorOf([&] {
+      (*task)(desk);
+      while (desk.dab()) {
+        if (Clock::now() - shown < kBetween) continue;
+        publish(desk);
+        shown = Clock::now();
+      }
+    });
+    if (!error.empty()) desk.fail(error);
+    publish(desk);
+    shown = Clock::now();
+    while (rest(desk)) {
+    }
+  }
+}
+
+}  // namespace bozzetto::ui
