@@ -1,5 +1,8 @@
 // bozzetto render SCENE OUT.png: a studio picture, no display needed.
+#include <fmt/format.h>
 #include <charconv>
+#include <cmath>
+#include <numbers>
 
 #include "bozzetto/render/picture.hpp"
 #include "bozzetto/render/png.hpp"
@@ -11,7 +14,12 @@ namespace bozzetto::cli {
 namespace {
 
 struct Arguments {
-  std::string scene, out, size = "1280x960", view = "hero", mode = "clay";
+  std::string scene, out, size = "1280x960", view = "hero", mode = "clay", matcap = "wax";
+  std::string environment = "studio", stereo = "off", structure = "surface", lights = "scene";
+  std::optional<double> yaw, pitch;  // degrees
+  double zoom = 1, turn = 0;
+  bool orthographic = false, flat = false, edges = false, bronze = false;
+  int frames = 1;
 };
 
 // "1280x960" → width and height.
@@ -27,16 +35,129 @@ std::pair<int, int> parseSize(const std::string& text) {
   return {width, height};
 }
 
-void run(const Arguments& arguments) {
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+glm::vec3 linear(Colour colour) {
+  const auto channel = [](std::uint8_t v) { return std::pow(float(v) / 255, 2.2f); };
+  return {channel(colour.r), channel(colour.g), channel(colour.b)};
+}
+
+// The scene's own lights where it has some: as bright as the studio's key at intensity 1.
+std::vector<StudioLight> lightsOf(const View& view) {
+  constexpr float kKeyBrightness = 2.2f;
+  std::vector<StudioLight> lights;
+  for (const Light& light : view.lights) {
+    StudioLight studio;
+    studio.towards = light.towards;
+    studio.colour = linear(light.colour) * (kKeyBrightness * float(light.intensity));
+    studio.wrap = .05f + .5f * float(light.softness);
+    lights.push_back(studio);
+    if (light.castsShadow) std::swap(lights.front(), lights.back());
+  }
+  return lights;
+}
+
+void setLook(const Arguments& arguments, const View& view, Look& look) {
+  look.mode = parseMode(arguments.mode);
+  if (const auto matcap = matcapNamed(arguments.matcap)) {
+    look.matcap = *matcap;
+  } else {
+    look.matcapImage = std::make_shared<const Image>(readPng(arguments.matcap));
+  }
+  look.metal = arguments.bronze ? Metal::bronze : Metal::chrome;
+  look.shading = arguments.flat ? Shading::flat : Shading::smooth;
+  look.edges = arguments.edges;
+  look.studio = Studio(parseEnvironment(arguments.environment));
+  look.studio.turn = float(radians(arguments.turn));
+  if (!view.lights.empty() && arguments.lights == "scene") look.studio.lights = lightsOf(view);
+}
+
+PictureOptions optionsFrom(const Arguments& arguments) {
   PictureOptions options;
   std::tie(options.width, options.height) = parseSize(arguments.size);
   options.viewpoint = parseViewpoint(arguments.view);
-  options.look.mode = parseMode(arguments.mode);
+  if (arguments.yaw) options.yaw = radians(*arguments.yaw);
+  if (arguments.pitch) options.pitch = radians(*arguments.pitch);
+  options.zoom = arguments.zoom;
+  options.projection = arguments.orthographic ? Projection::orthographic : Projection::perspective;
+  options.structure = parseStructure(arguments.structure);
+  options.stereo.mode = parseStereo(arguments.stereo);
+  options.frames = arguments.frames;
+  return options;
+}
+
+// "turn.png" → "turn-007.png".
+std::string numbered(const std::filesystem::path& path, int number) {
+  const std::string name =
+      fmt::format("{}-{:03}{}", path.stem().string(), number, path.extension().string());
+  return (path.parent_path() / name).string();
+}
+
+void run(const Arguments& arguments) {
+  PictureOptions options = optionsFrom(arguments);
+  setLook(arguments, {}, options.look);  // what is wrong with it is told before a scene is read
   ProgressBar progress;
   const Document document = loadScene(arguments.scene, progress);
+  setLook(arguments, document.parts.view, options.look);
   Surface<8> surface;
   surface.rebuild(document.field);
-  writePng(arguments.out, renderPicture(surface, document.field, options, progress));
+  if (arguments.frames == 1) {
+    writePng(arguments.out, renderPicture(surface, document.field, options, progress));
+    return;
+  }
+  const auto write = [&](int frame, const Image& image) {
+    writePng(numbered(arguments.out, frame), image);
+  };
+  renderTurn(surface, document.field, options, write, progress);
+}
+
+void addCamera(CLI::App& command, Arguments& a) {
+  command.add_option("--size", a.size, "Pixels, as 1280x960")->capture_default_str();
+  command
+      .add_option("--view", a.view,
+                  "hero (three quarters), front, back, left, right, top, bottom, iso")
+      ->capture_default_str();
+  command.add_option("--yaw", a.yaw, "Degrees about the vertical instead of the view's: 0 front")
+      ->check(CLI::Range(-3600., 3600.));
+  command.add_option("--pitch", a.pitch, "Degrees from above instead of the view's")
+      ->check(CLI::Range(-90., 90.));
+  command.add_option("--zoom", a.zoom, "2 shows the middle twice as large")
+      ->check(CLI::Range(.05, 50.))
+      ->capture_default_str();
+  command.add_flag("--orthographic", a.orthographic, "Parallel rays");
+  command.add_option("--turntable", a.frames, "As many pictures of one turn: OUT-000.png …")
+      ->check(CLI::Range(1, 3600));
+  command.add_option("--stereo", a.stereo, "Two eyes: off, side-by-side, rows, anaglyph")
+      ->capture_default_str();
+}
+
+void addMaterial(CLI::App& command, Arguments& a) {
+  command
+      .add_option("--mode", a.mode,
+                  "clay, glaze (environment by angle), plastic (half transparent), metal (opaque), "
+                  "glass, matcap, wire")
+      ->capture_default_str();
+  command
+      .add_option("--environment", a.environment,
+                  "What mirrors in the clay, with its lights: studio, daylight, dusk, workshop, "
+                  "zebra")
+      ->capture_default_str();
+  command.add_option("--light-turn", a.turn, "Degrees that lights and environment are turned")
+      ->check(CLI::Range(-3600., 3600.));
+  command.add_option("--lights", a.lights, "scene (its own where it has some) or environment")
+      ->check(CLI::IsMember({"scene", "environment"}))
+      ->capture_default_str();
+  command
+      .add_option("--matcap", a.matcap,
+                  "wax, jade, plaster, pewter, or a PNG of a ball that fills a square")
+      ->capture_default_str();
+  command.add_flag("--bronze", a.bronze, "Metal is bronze instead of chrome");
+  command.add_flag("--flat", a.flat, "Triangles as they are instead of smooth");
+  command.add_flag("--edges", a.edges, "Edges of the triangles over any mode");
+  command
+      .add_option("--structure", a.structure,
+                  "surface, cubes (all with clay), crossing-cubes (those the surface crosses)")
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -46,13 +167,8 @@ void addRender(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   command->add_option("scene", arguments->scene, "The scene")->required();
   command->add_option("out", arguments->out, "The picture, PNG")->required();
-  command->add_option("--size", arguments->size, "Pixels, as 1280x960")->capture_default_str();
-  command
-      ->add_option("--view", arguments->view,
-                   "hero (three quarters), front, back, left, right, top, bottom, iso")
-      ->capture_default_str();
-  command->add_option("--mode", arguments->mode, "clay, glaze, metal, glass, matcap, wire")
-      ->capture_default_str();
+  addCamera(*command, *arguments);
+  addMaterial(*command, *arguments);
   command->callback([arguments] { run(*arguments); });
 }
 

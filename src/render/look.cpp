@@ -16,4 +16,15 @@ Mode parseMode(std::string_view name) {
                           {"wire", wire}});
 }
 
+std::optional<Matcap> matcapNamed(std::string_view name) {
+  using enum Matcap;
+  for (const auto& [known, matcap] : {std::pair<std::string_view, Matcap>{"wax", wax},
+                                      {"jade", jade},
+                                      {"plaster", plaster},
+                                      {"pewter", pewter}}) {
+    if (name == known) return matcap;
+  }
+  return std::nullopt;
+}
+
 }  // namespace bozzetto

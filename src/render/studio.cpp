@@ -78,7 +78,7 @@ std::vector<StudioLight> lightsFor(Environment environment) {
     case Environment::daylight:
       return oneLight({-.45f, .75f, .48f}, {2.6f, 2.45f, 2.15f}, .10f);
     case Environment::dusk:
-      return oneLight({.90f, .16f, .30f}, {3.1f, 1.55f, .70f}, .14f);
+      return oneLight({.90f, .20f, .30f}, {2.9f, 1.75f, .95f}, .14f);
     case Environment::workshop:
       return oneLight({-.75f, .45f, .48f}, {1.7f, 1.75f, 1.85f}, 0);
     case Environment::studio:

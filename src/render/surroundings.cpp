@@ -61,7 +61,7 @@ float clouds(vec3 d, float low, float high) {
 // A blue sky with clouds over pale ground.
 vec3 daylight(vec3 d) {
   const vec3 horizon(1.15f, 1.25f, 1.35f), zenith(.22f, .42f, .85f);
-  const vec3 near(.16f, .14f, .11f), far(.52f, .48f, .42f);
+  const vec3 near(.09f, .08f, .065f), far(.36f, .33f, .28f);
   const vec3 sky = mix(horizon, zenith, std::pow(std::max(d.y, 0.f), .55f));
   const vec3 cloudy = mix(sky, vec3(1.7f, 1.7f, 1.75f), clouds(d, .45f, .75f));
   const vec3 ground = mix(far, near, std::pow(std::max(-d.y, 0.f), .5f));
@@ -74,8 +74,8 @@ vec3 dusk(vec3 d) {
                                            glm::normalize(vec3(.9f, 0, .3f)));
   const vec3 ember = mix(vec3(.55f, .20f, .28f), vec3(2.6f, 1.05f, .32f), toSun * toSun);
   const float height = std::max(d.y, 0.f);
-  vec3 sky = mix(ember, vec3(.30f, .17f, .33f), smoothstep(0.f, .35f, height));
-  sky = mix(sky, vec3(.045f, .06f, .16f), smoothstep(.2f, .95f, height));
+  vec3 sky = mix(ember, vec3(.34f, .24f, .42f), smoothstep(0.f, .35f, height));
+  sky = mix(sky, vec3(.09f, .12f, .27f), smoothstep(.2f, .95f, height));
   sky += ember * .5f * clouds(d, .5f, .8f);
   const vec3 ground = mix(ember * .10f, vec3(.022f, .018f, .022f), smoothstep(0.f, .5f, -d.y));
   return mix(ground, sky, smoothstep(-.03f, .03f, d.y)) * .85f;

@@ -153,6 +153,18 @@ TEST(Cli, SlowRendersWithoutADisplay) {
   EXPECT_EQ(testing::textOf(picture).substr(1, 3), "PNG");
 }
 
+TEST(Cli, SlowTurntablesGiveNumberedPictures) {
+  const Folder folder;
+  const std::string picture = folder / "turn.png";
+  const Outcome outcome = runProgram("render " + sceneOf(folder, kBall) + " " + picture +
+                                     " --size 48x32 --turntable 2 --structure cubes --yaw 30"
+                                     " --pitch 20 --zoom 2 --stereo anaglyph --environment dusk");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string first = testing::textOf(folder / "turn-000.png");
+  EXPECT_EQ(first.substr(1, 3), "PNG");
+  EXPECT_NE(testing::textOf(folder / "turn-001.png"), first);
+}
+
 struct Refusal {
   const char* arguments;  ///< FOLDER stands for the test's folder
   int code;
@@ -218,7 +230,13 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"export FOLDERtext.bzt FOLDERm.ply --decimate 2", 2, "decimate"},
         Refusal{"render FOLDERtext.bzt FOLDERp.png --size 10", 1, "size"},
         Refusal{"render FOLDERtext.bzt FOLDERp.png --view inside", 1, "inside"},
-        Refusal{"render FOLDERtext.bzt FOLDERp.png --mode gold", 1, "gold"}));
+        Refusal{"render FOLDERtext.bzt FOLDERp.png --mode gold", 1, "gold"},
+        Refusal{"render FOLDERtext.bzt FOLDERp.png --environment moon", 1, "moon"},
+        Refusal{"render FOLDERtext.bzt FOLDERp.png --stereo smell", 1, "smell"},
+        Refusal{"render FOLDERtext.bzt FOLDERp.png --structure bones", 1, "bones"},
+        Refusal{"render FOLDERtext.bzt FOLDERp.png --matcap FOLDERno.png", 1, "no.png"},
+        Refusal{"render FOLDERtext.bzt FOLDERp.png --zoom 0", 2, "zoom"},
+        Refusal{"render FOLDERtext.bzt FOLDERp.png --turntable 0", 2, "turntable"}));
 
 TEST(Cli, helpIsThereForEveryCommand) {
   for (const char* command : {"", "import", "replay", "export", "render", "info", "check"}) {

@@ -3,40 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "bozzetto/render/offscreen.hpp"
-#include "bozzetto/render/unpack.hpp"
-#include "render/stage_textures.hpp"
-#include "scenes.hpp"
+#include "loaded.hpp"
 
 namespace bozzetto {
 namespace {
 
 using namespace test;
 
-struct Loaded {
-  Scene scene = sceneOf(head());
-  std::vector<UnpackedPatch> patches;
-  CellBounds bounds;
-
-  Loaded() {
-    for (const auto& [block, run] : scene.surface.patches()) {
-      patches.emplace_back(block * 8, *run.block);
-      bounds.add(patches.back().bounds());
-    }
-  }
-  Shot shot() const {
-    Shot shot;
-    shot.width = 128;
-    shot.height = 96;
-    shot.stage = Stage::around(bounds);
-    shot.camera = framed({&bounds, 1}, {});
-    return shot;
-  }
-};
-
-const Loaded& theHead() {
-  static const Loaded loaded;
-  return loaded;
-}
+Shot shotOf(const Loaded& loaded) { return loaded.shot(128, 96); }
 
 Look lookOf(Detail detail) {
   Look look;
@@ -54,27 +28,27 @@ TEST(Renderer, PatchesComeAndGo) {
   const Loaded& loaded = theHead();
   const OffscreenContext context;
   Renderer renderer;
-  const Image empty = still(renderer, loaded.shot());
+  const Image empty = still(renderer, shotOf(loaded));
   for (const UnpackedPatch& patch : loaded.patches) renderer.uploadPatch(patch.view());
   EXPECT_EQ(renderer.triangleCount(), std::size_t(loaded.scene.surface.totals().triangles));
-  const Image whole = still(renderer, loaded.shot());
+  const Image whole = still(renderer, shotOf(loaded));
   EXPECT_NE(whole.pixels, empty.pixels);
 
   // Every second patch away and back again, in another order, changes nothing.
   for (std::size_t n = 0; n < loaded.patches.size(); n += 2) {
     renderer.removePatch(loaded.patches[n].origin);
   }
-  EXPECT_NE(still(renderer, loaded.shot()).pixels, whole.pixels);
+  EXPECT_NE(still(renderer, shotOf(loaded)).pixels, whole.pixels);
   for (std::size_t n = loaded.patches.size(); n-- > 0;) {
     renderer.uploadPatch(loaded.patches[n].view());
   }
-  EXPECT_EQ(still(renderer, loaded.shot()).pixels, whole.pixels);
+  EXPECT_EQ(still(renderer, shotOf(loaded)).pixels, whole.pixels);
 
   for (const UnpackedPatch& patch : loaded.patches) {
     renderer.uploadPatch({patch.origin, {}, {}, {}, {}, {}});  // empty: gone
   }
   EXPECT_EQ(renderer.triangleCount(), 0u);
-  EXPECT_EQ(still(renderer, loaded.shot()).pixels, empty.pixels);
+  EXPECT_EQ(still(renderer, shotOf(loaded)).pixels, empty.pixels);
 }
 
 TEST(Renderer, ClearForgetsEverything) {
@@ -90,12 +64,12 @@ TEST(Renderer, SlicesAddUpAndRestart) {
   const Loaded& loaded = theHead();
   const OffscreenContext context;
   Renderer renderer;
-  renderer.addSlice(loaded.shot(), {});
-  renderer.addSlice(loaded.shot(), {});
+  renderer.addSlice(shotOf(loaded), {});
+  renderer.addSlice(shotOf(loaded), {});
   EXPECT_EQ(renderer.sliceCount(), 2);
   renderer.restart();
   EXPECT_EQ(renderer.sliceCount(), 0);
-  Shot wrong = loaded.shot();
+  Shot wrong = shotOf(loaded);
   wrong.width = 40000;
   EXPECT_THROW(renderer.addSlice(wrong, {}), Error);
 }
@@ -106,7 +80,7 @@ TEST(Renderer, DrawsIntoTheBoundFramebuffer) {
   const OffscreenContext context;
   Renderer renderer;
   for (const UnpackedPatch& patch : loaded.patches) renderer.uploadPatch(patch.view());
-  const Shot shot = loaded.shot();
+  const Shot shot = shotOf(loaded);
   const Target target(GL_RGBA8, shot.width, shot.height, Target::Depth::buffer);
   target.bind();
   for (const Detail detail : {Detail::baked, Detail::full}) {

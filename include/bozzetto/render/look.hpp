@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "bozzetto/render/image.hpp"
@@ -58,5 +59,7 @@ struct Look {
 
 /// The name on the command line → mode. Throws Error naming the choices.
 Mode parseMode(std::string_view name);
+/// The painted matcap of that name, if it is one.
+std::optional<Matcap> matcapNamed(std::string_view name);
 
 }  // namespace bozzetto
