@@ -165,6 +165,7 @@ ClayPicture::Report ClayPicture::draw(const Request& request, Fineness fineness)
   frame_ = makeFrame(request.shot, drawnLook_, Slice{});
   refined_.restart();
   valid_ = true;
+  ++version_;
   meanShown_ = false;
   shot_ = request.shot;
   look_ = request.look;
@@ -189,6 +190,7 @@ std::optional<ClayPicture::Report> ClayPicture::patch(const Request& request,
     resolve(part);
   }
   refined_.restart();
+  ++version_;
   revision_ = renderer_.changes.now();
   return report;
 }
@@ -200,6 +202,7 @@ void ClayPicture::showMean() {
   renderer_.show(refined_);
   glDepthMask(GL_TRUE);
   meanShown_ = true;
+  ++version_;
 }
 
 ClayPicture::Report ClayPicture::refine(const Request& request) {

@@ -31,6 +31,8 @@ class ClayPicture {
   Report bring(const Request& request);
 
   const Target& picture() const { return shown_; }
+  /// Another number whenever the picture is another.
+  std::uint64_t version() const { return version_; }
   int slices() const { return refined_.slices; }
   /// Of the picture as it was last drawn whole, for overlays.
   const Frame& frame() const { return frame_; }
@@ -57,7 +59,7 @@ class ClayPicture {
   Shot shot_;
   Look look_, drawnLook_;  // as asked for, with the detail drawn
   Fineness fineness_ = Fineness::fine;
-  std::uint64_t revision_ = 0;
+  std::uint64_t revision_ = 0, version_ = 0;
   double lastMove_ = -1e9;
 };
 

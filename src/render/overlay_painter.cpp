@@ -205,20 +205,33 @@ void OverlayPainter::drawTools(const Overlays& overlays, const Scene& scene) {
   }
 }
 
-void OverlayPainter::draw(const Overlays& overlays, const Scene& scene) {
-  const gl::KeepTarget keep;
+InkView OverlayPainter::begin(const Scene& scene) {
   glViewport(scene.place.x, scene.place.y, scene.place.width, scene.place.height);
   glCullFace(GL_BACK);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   gl::bindTexture(gl::clayDepth, *scene.clayDepth);
-  const gl::Enabled blend(GL_BLEND);
   blendOver();
-  const InkView view{scene.frame->anchor, scene.frame->clipFromCells, scene.place.width,
-                     scene.place.height};
+  return {scene.frame->anchor, scene.frame->clipFromCells, scene.place.width, scene.place.height};
+}
+
+void OverlayPainter::drawStanding(const Overlays& overlays, const Scene& scene) {
+  const gl::KeepTarget keep;
+  const gl::Enabled blend(GL_BLEND);
+  const InkView view = begin(scene);
   drawPosters(overlays, view, scene, true);
+  InkSheet sheet(view);
+  drawSurroundings(overlays, toEye(*scene.frame), sheet);
+  paint(sheet.vertices(), scene);
+  glBindVertexArray(0);
+}
+
+void OverlayPainter::drawMoving(const Overlays& overlays, const Scene& scene) {
+  const gl::KeepTarget keep;
+  const gl::Enabled blend(GL_BLEND);
+  const InkView view = begin(scene);
   InkSheet under(view), over(view);
-  drawSurroundings(overlays, toEye(*scene.frame), under);
+  if (overlays.plane) drawPlane(*overlays.plane, under);
   paint(under.vertices(), scene);
   drawTools(overlays, scene);
   for (const RingCursor& ring : overlays.rings) {

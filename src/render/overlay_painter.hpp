@@ -21,8 +21,10 @@ class OverlayPainter {
     PixelRect place;  // of the bound framebuffer
     bool perspective = true;
   };
-  /// Leaves blending, depth test and culling off.
-  void draw(const Overlays& overlays, const Scene& scene);
+  /// What stands still while a cursor moves: grid, box, pictures behind the clay.
+  void drawStanding(const Overlays& overlays, const Scene& scene);
+  /// All else.
+  void drawMoving(const Overlays& overlays, const Scene& scene);
 
  private:
   struct Mesh {
@@ -35,6 +37,7 @@ class OverlayPainter {
     gl::Texture texture;
   };
 
+  InkView begin(const Scene& scene);
   void place(const gl::Program& program, const Scene& scene) const;
   void paint(std::span<const InkSheet::Vertex> vertices, const Scene& scene);
   void drawPosters(const Overlays& overlays, const InkView& view, const Scene& scene, bool behind);

@@ -95,27 +95,6 @@ void drawHandles(const BoxOutline& box, InkSheet& sheet) {
   }
 }
 
-// The plane, brightest in the middle, and where the tool's shadow falls.
-void drawPlane(const WorkingPlane& plane, InkSheet& sheet) {
-  dvec3 across[2];
-  spanPlane(glm::normalize(plane.normal), across);
-  const auto radius = float(plane.radius);
-  sheet.disk(plane.centre, across, {radius * .45f, radius}, {faded(plane.ink, .22f), 1, .25f});
-  const LineStyle line{faded(plane.ink, .55f), 1, .2f};
-  sheet.circle(plane.centre, across, plane.toolRadius, line);
-  for (const dvec3& direction : across) {
-    for (const double end : {-plane.radius, plane.radius}) {
-      sheet.fadingLine(plane.centre, plane.centre + direction * end, line, 0);
-    }
-  }
-  const dvec3 below(plane.centre.x, plane.shadowFloor, plane.centre.z);
-  dvec3 level[2];
-  spanPlane({0, 1, 0}, level);
-  const auto shadow = float(plane.toolRadius);
-  sheet.disk(below, level, {shadow * .8f, shadow * .8f}, {{0, 0, 0, .5f}, 1, 0});
-  sheet.fadingLine(plane.centre, below, {faded(plane.ink, .7f), 1, .15f}, .05f);
-}
-
 // In the air the ring lies across the normal, with the normal as a short stalk.
 void drawRing(const RingCursor& ring, InkSheet& sheet) {
   const Ink white(1, 1, 1, ring.weight);
@@ -156,7 +135,27 @@ void drawPolyline(const Polyline& line, InkSheet& sheet) {
 void drawSurroundings(const Overlays& overlays, const dvec3& towardsEye, InkSheet& sheet) {
   if (overlays.grid) drawGrid(*overlays.grid, sheet);
   if (overlays.box) drawBox(*overlays.box, towardsEye, sheet);
-  if (overlays.plane) drawPlane(*overlays.plane, sheet);
+}
+
+// The plane, brightest in the middle, and where the tool's shadow falls.
+void drawPlane(const WorkingPlane& plane, InkSheet& sheet) {
+  dvec3 across[2];
+  spanPlane(glm::normalize(plane.normal), across);
+  const auto radius = float(plane.radius);
+  sheet.disk(plane.centre, across, {radius * .45f, radius}, {faded(plane.ink, .22f), 1, .25f});
+  const LineStyle line{faded(plane.ink, .55f), 1, .2f};
+  sheet.circle(plane.centre, across, plane.toolRadius, line);
+  for (const dvec3& direction : across) {
+    for (const double end : {-plane.radius, plane.radius}) {
+      sheet.fadingLine(plane.centre, plane.centre + direction * end, line, 0);
+    }
+  }
+  const dvec3 below(plane.centre.x, plane.shadowFloor, plane.centre.z);
+  dvec3 level[2];
+  spanPlane({0, 1, 0}, level);
+  const auto shadow = float(plane.toolRadius);
+  sheet.disk(below, level, {shadow * .8f, shadow * .8f}, {{0, 0, 0, .5f}, 1, 0});
+  sheet.fadingLine(plane.centre, below, {faded(plane.ink, .7f), 1, .15f}, .05f);
 }
 
 void drawMarks(const Overlays& overlays, InkSheet& sheet) {

@@ -9,6 +9,8 @@
 namespace bozzetto {
 namespace {
 
+constexpr int kSmallest = 16;  // pixels; a smaller view shows nothing
+
 double secondsSince(std::chrono::steady_clock::time_point then) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
@@ -39,6 +41,36 @@ bool hasQuadBuffer() {
 
 }  // namespace
 
+// A clay picture with what stands still around it, kept while a cursor moves.
+struct Dressed {
+  std::optional<Target> picture;
+  std::uint64_t version = 0;  // of the clay's
+  std::optional<FloorGrid> grid;
+  std::optional<BoxOutline> box;
+  std::vector<ReferencePicture> pictures;
+
+  bool needed() const { return grid || box || !pictures.empty(); }
+  /// False when it is what is kept.
+  bool take(const Overlays& overlays, std::uint64_t clayVersion, const PixelRect& place);
+};
+
+bool Dressed::take(const Overlays& overlays, std::uint64_t clayVersion, const PixelRect& place) {
+  const bool sized = picture && picture->width == place.width && picture->height == place.height;
+  if (sized && version == clayVersion && grid == overlays.grid && box == overlays.box &&
+      pictures == overlays.pictures) {
+    return false;
+  }
+  version = clayVersion;
+  grid = overlays.grid;
+  box = overlays.box;
+  pictures = overlays.pictures;
+  if (needed() && !sized) {
+    const gl::KeepTarget keep;
+    picture.emplace(GL_RGBA8, place.width, place.height, Target::Depth::none);
+  }
+  return true;
+}
+
 struct Viewport::Impl {
   Renderer::Impl& renderer;
   QualityLadder ladder;
@@ -47,6 +79,7 @@ struct Viewport::Impl {
   gl::Program restore{{"screen.vert"}, {"restore.frag"}};
   gl::Program compose{{"screen.vert"}, {"stereo.frag"}};
   std::array<ClayPicture, 2> eyes;
+  std::array<Dressed, 2> dressed;
   std::array<std::optional<Target>, 2> composed;  // clay and overlays, for stereo
   std::int64_t uploadedBefore = 0;
 
@@ -55,7 +88,7 @@ struct Viewport::Impl {
 
   Quality quality() const { return fixed.value_or(ladder.quality()); }
   ClayPicture::Request requestFor(const ViewFrame& frame) const;
-  void copyTo(const ClayPicture& eye, const PixelRect& place);
+  void copyTo(const Target& from, const PixelRect& place);
   void drawEye(int eye, const ViewFrame& frame, const Overlays& overlays, const PixelRect& place);
   void drawStereo(const ViewFrame& frame, const Overlays& overlays);
   void composeEyes(const ViewFrame& frame);
@@ -87,8 +120,7 @@ ClayPicture::Request Viewport::Impl::requestFor(const ViewFrame& frame) const {
   return request;
 }
 
-void Viewport::Impl::copyTo(const ClayPicture& eye, const PixelRect& place) {
-  const Target& from = eye.picture();
+void Viewport::Impl::copyTo(const Target& from, const PixelRect& place) {
   if (isMultisampled()) {
     const gl::KeepTarget keep;
     glViewport(place.x, place.y, place.width, place.height);
@@ -105,15 +137,23 @@ void Viewport::Impl::copyTo(const ClayPicture& eye, const PixelRect& place) {
 void Viewport::Impl::drawEye(int eye, const ViewFrame& frame, const Overlays& overlays,
                              const PixelRect& place) {
   const ClayPicture& clay = eyes[std::size_t(eye)];
-  copyTo(clay, place);
+  Dressed& kept = dressed[std::size_t(eye)];
   OverlayPainter::Scene scene;
   scene.frame = &clay.frame();
   scene.clayDepth = &clay.picture().depth;
   scene.depthWidth = clay.picture().width;
   scene.depthHeight = clay.picture().height;
-  scene.place = place;
   scene.perspective = frame.camera.projection == Projection::perspective;
-  painter.draw(overlays, scene);
+  if (kept.take(overlays, clay.version(), place) && kept.needed()) {
+    const gl::KeepTarget keep;
+    kept.picture->bind();
+    scene.place = {0, 0, place.width, place.height};
+    copyTo(clay.picture(), scene.place);
+    painter.drawStanding(overlays, scene);
+  }
+  copyTo(kept.needed() ? *kept.picture : clay.picture(), place);
+  scene.place = place;
+  painter.drawMoving(overlays, scene);
 }
 
 void Viewport::Impl::composeEyes(const ViewFrame& frame) {
@@ -164,6 +204,9 @@ FrameReport Viewport::draw(const ViewFrame& frame, const Overlays& overlays) {
   using enum FrameReport::Clay;
   Impl& v = *impl_;
   const auto began = std::chrono::steady_clock::now();
+  if (std::min(frame.place.width, frame.place.height) < kSmallest) {
+    return {.quality = v.quality(), .settled = true};
+  }
   const Shot shot = shotOf(frame);
   requireSize(shot);
   tidyState();

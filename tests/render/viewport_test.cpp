@@ -94,6 +94,42 @@ TEST(Viewport, RingLeavesNoTrace) {
   EXPECT_EQ(pixelsThatDiffer(window.picture(), plain), 0);
 }
 
+// Grid and box are kept with the clay's picture; what changes shows all the same.
+TEST(Viewport, StandingOverlaysAreKeptTruly) {
+  Window window;
+  const Loaded& head = theHead();
+  Overlays overlays = ringAt(frontOfHead());
+  overlays.grid = FloorGrid{{0, window.frame.stage.floor, 0}, 8, 12, .3f};
+  overlays.box = BoxOutline{head.bounds.low, head.bounds.high, true, {}, 1};
+  const auto sameAsFresh = [&] {
+    window.draw(overlays);
+    const Image kept = window.picture();
+    Viewport fresh(window.renderer);
+    fresh.fixQuality(Quality::light);
+    window.target.bind();
+    fresh.draw(window.frame, overlays);
+    return pixelsThatDiffer(window.picture(), kept) == 0;
+  };
+  EXPECT_TRUE(sameAsFresh());
+  overlays.rings[0].centre.x += 4;
+  EXPECT_TRUE(sameAsFresh());
+  overlays.box->active = 1;
+  EXPECT_TRUE(sameAsFresh());
+  overlays.box.reset();
+  EXPECT_TRUE(sameAsFresh());
+  window.frame.camera.yaw += .3;
+  window.frame.now += 1;
+  EXPECT_TRUE(sameAsFresh());
+  overlays.grid.reset();
+  EXPECT_TRUE(sameAsFresh());
+}
+
+TEST(Viewport, NothingIsDrawnIntoNothing) {
+  Window window;
+  window.frame.place = {0, 0, 3, 0};
+  EXPECT_TRUE(window.draw().settled);
+}
+
 // Half the head's patches away and back: pieces redrawn are the same as all redrawn.
 TEST(Viewport, PatchedPicturesEqualWholeOnes) {
   Window window;

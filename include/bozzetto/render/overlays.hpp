@@ -68,6 +68,7 @@ struct FloorGrid {
   double step = 8;       ///< cells
   int lines = 12;        ///< each way
   float opacity = .2f;
+  friend bool operator==(const FloorGrid&, const FloorGrid&) = default;
 };
 
 /// The workspace box; handles are drawn at the middles of its sides.
@@ -76,6 +77,7 @@ struct BoxOutline {
   bool handles = false;
   std::optional<int> active;  ///< the handle under the pointer: 2·axis + (1 on the high side)
   float opacity = 1;
+  friend bool operator==(const BoxOutline&, const BoxOutline&) = default;
 };
 /// The handle of `box` within 9 pixels of `pixel` and nearest to the eye.
 std::optional<int> handleAt(const Shot& shot, const BoxOutline& box, glm::dvec2 pixel);
@@ -95,6 +97,7 @@ struct ReferencePicture {
   glm::dvec3 centre{0}, right{1, 0, 0}, up{0, 1, 0};
   float opacity = .6f;
   bool behind = true;  ///< the clay hides it; otherwise it lies over everything
+  friend bool operator==(const ReferencePicture&, const ReferencePicture&) = default;
 };
 
 struct Polyline {

@@ -46,7 +46,8 @@ class Viewport {
   Viewport& operator=(const Viewport&) = delete;
 
   /// Draws clay and overlays into the framebuffer bound for drawing, which has a depth buffer; the
-  /// rest of it stays but for depth. Leaves blending, depth test and scissor off.
+  /// rest of it stays but for depth. Leaves blending, depth test and scissor off. A place smaller
+  /// than 16 pixels a side is left alone.
   FrameReport draw(const ViewFrame& frame, const Overlays& overlays);
 
   /// A quality for good, or nothing: chosen by the ladder.
