@@ -40,27 +40,33 @@ BOZZETTO_KERNEL MassUnits massKernel(const float* value, int count) {
   return sum;
 }
 
-// Clears attributes where there is no clay; returns a nonzero number when corners differ.
-BOZZETTO_KERNEL std::uint32_t tidyKernel(const float* value, Attributes* attributes, int count) {
-  const auto first = std::bit_cast<std::int32_t>(value[0]);
-  const Attributes firstKept = first > 0 ? attributes[0] : 0;
-  std::uint32_t differs = 0;
+struct Tidied {
+  Range range;
+  Attributes every, any;  // of corners with clay
+};
+
+// Clears attributes where there is no clay; all in one pass through the block.
+BOZZETTO_KERNEL Tidied tidyKernel(const float* value, Attributes* attributes, int count) {
+  auto low = std::bit_cast<std::int32_t>(value[0]), high = low;
+  Attributes every = ~Attributes{0}, any = 0;
   for (int n = 0; n < count; ++n) {
     const auto bits = std::bit_cast<std::int32_t>(value[n]);
-    const Attributes kept =
-        attributes[n] & static_cast<Attributes>(
-                            static_cast<std::int32_t>(0u - static_cast<std::uint32_t>(bits)) >> 31);
+    const auto clay = static_cast<Attributes>(
+        static_cast<std::int32_t>(0u - static_cast<std::uint32_t>(bits)) >> 31);
+    const Attributes kept = attributes[n] & clay;
     attributes[n] = kept;
-    differs |= static_cast<std::uint32_t>(bits ^ first);
-    differs |= kept ^ firstKept;
+    every &= kept | ~clay;
+    any |= kept;
+    low = std::min(low, bits);
+    high = std::max(high, bits);
   }
-  return differs;
+  return {{std::bit_cast<float>(low), std::bit_cast<float>(high)}, every, any};
 }
 
 BOZZETTO_SIMD_DISPATCH(Range, rangeOf, rangeKernel, (const float* value, int count), (value, count))
 BOZZETTO_SIMD_DISPATCH(MassUnits, massOf, massKernel, (const float* value, int count),
                        (value, count))
-BOZZETTO_SIMD_DISPATCH(std::uint32_t, tidy, tidyKernel,
+BOZZETTO_SIMD_DISPATCH(Tidied, tidy, tidyKernel,
                        (const float* value, Attributes* attributes, int count),
                        (value, attributes, count))
 
@@ -82,6 +88,8 @@ class InternTable {
     block->value.fill(value);
     block->attributes.fill(attributes);
     block->low = block->high = value;
+    block->oneColour = block->settled = true;
+    block->only = attributes;
     block->mass = massOf(block->value.data(), block->kCount);
     block->interned = true;
     return block;
@@ -123,10 +131,17 @@ void CornerBlock<Side>::updateRange() {
 
 template <int Side>
 Ref<CornerBlock<Side>> CornerBlock<Side>::canonical(Ref<CornerBlock> block) {
-  const bool uniformContent = tidy(block->value.data(), block->attributes.data(), kCount) == 0;
-  block->updateRange();
+  if (!block->settled) {
+    const Tidied tidied = tidy(block->value.data(), block->attributes.data(), kCount);
+    block->low = tidied.range.low;
+    block->high = tidied.range.high;
+    block->oneColour = tidied.every == tidied.any;
+    block->only = tidied.any;
+    block->settled = true;
+  }
   if (block->high <= 0) return nullptr;
-  if (Side > 1 && uniformContent) return uniform(block->value[0], block->attributes[0]);
+  const bool alike = block->low == block->high && block->oneColour;
+  if (Side > 1 && alike) return uniform(block->value[0], block->attributes[0]);
   block->mass = massOf(block->value.data(), kCount);
   return block;
 }

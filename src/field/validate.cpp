@@ -5,6 +5,15 @@
 namespace bozzetto {
 namespace {
 
+// Some corner with clay has other attributes than those said to be its only ones.
+template <int Side>
+bool hasOther(const CornerBlock<Side>& block) {
+  for (int n = 0; n < block.kCount; ++n) {
+    if (block.value[n] > 0 && block.attributes[n] != block.only) return true;
+  }
+  return false;
+}
+
 template <int Side>
 std::optional<std::string> faultOf(const CornerBlock<Side>& block) {
   for (int n = 0; n < block.kCount; ++n) {
@@ -15,6 +24,7 @@ std::optional<std::string> faultOf(const CornerBlock<Side>& block) {
   copy.updateRange();
   if (copy.low != block.low || copy.high != block.high) return "range out of date";
   if (block.high <= 0) return "empty block stored";
+  if (block.settled && block.oneColour && hasOther(block)) return "a second colour";
   const auto canonical =
       CornerBlock<Side>::canonical(Ref<CornerBlock<Side>>(new CornerBlock<Side>(block)));
   if (canonical->interned != block.interned) return "uniform block not interned";

@@ -15,7 +15,7 @@ class BrushDabs final : public DabMaker<Side> {
   std::int64_t dabCount() const override { return runner_.dabCount(); }
   std::int64_t sureDabs() const override { return runner_.sureDabs(); }
   DabReport dab(std::int64_t n) override { return runner_.dab(n); }
-  void finish() override {}
+  std::vector<ChangedRun> finish() override { return {}; }
 
  private:
   StrokeRunner<Side> runner_;
@@ -42,15 +42,20 @@ class ClayDabs final : public DabMaker<Side> {
     const clay::StepReport step = stroke_.step(n);
     report.visited = report.computed = step.cells;
     report.dirty = step.clayCells;
-    if (shows_) report.changed = stroke_.store();
+    if (shows_) report.changed = stored();
     return report;
   }
-  void finish() override {
+  std::vector<ChangedRun> finish() override {
     stroke_.finish();
-    stroke_.store();
+    return stored();
   }
 
  private:
+  std::vector<ChangedRun> stored() {
+    const std::vector<KeyRun> runs = stroke_.store();
+    return {runs.begin(), runs.end()};
+  }
+
   bool shows_;
   clay::ClayStroke<Side> stroke_;
 };

@@ -16,8 +16,8 @@ class DabMaker {
   virtual std::int64_t dabCount() const = 0;
   virtual std::int64_t sureDabs() const = 0;
   virtual DabReport dab(std::int64_t n) = 0;
-  /// After the last dab: whatever is not in the edit yet goes there.
-  virtual void finish() = 0;
+  /// After the last dab: whatever is not in the edit yet goes there; returns where.
+  virtual std::vector<ChangedRun> finish() = 0;
 };
 
 /// The one for the action in the hand.

@@ -1,23 +1,10 @@
 #include "bozzetto/sculptor/live_stroke.hpp"
 
-#include <algorithm>
-
 #include "sculptor/dab_counts.hpp"
 #include "sculptor/dab_maker.hpp"
 #include "sculptor/timer.hpp"
 
 namespace bozzetto {
-namespace {
-
-// A dab and its mirror images list their blocks one after the other.
-std::vector<KeyRun> sortedOnce(std::vector<KeyRun> runs) {
-  std::ranges::sort(runs, {}, &KeyRun::key);
-  const auto sameKey = [](const KeyRun& a, const KeyRun& b) { return a.key == b.key; };
-  runs.erase(std::unique(runs.begin(), runs.end(), sameKey), runs.end());
-  return runs;
-}
-
-}  // namespace
 
 template <int Side>
 LiveStroke<Side>::LiveStroke(Workbench<Side>& bench, Stroke stroke)
@@ -68,10 +55,12 @@ void LiveStroke<Side>::makeDab() {
 template <int Side>
 OperationReport LiveStroke<Side>::finish() {
   while (report_.dabs < maker_->dabCount()) makeDab();
+  std::vector<ChangedRun> changed;
   {
     const Timer timer(report_.msField);
-    maker_->finish();
+    changed = maker_->finish();
   }
+  if (!changed.empty()) bench_->refresh(sortedOnce(std::move(changed)), report_);
   bench_->keep(edit_, report_);
   finished_ = true;
   report_.massAfter = bench_->mass();

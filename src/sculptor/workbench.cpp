@@ -57,25 +57,24 @@ template <int Side>
 void Workbench<Side>::keep(Edit<Block>& edit, const FieldScale& scale, OperationReport& report) {
   const FieldScale before = field_.scale;
   Delta<Block> delta;
-  std::vector<KeyRun> changed;
   {
     const Timer timer(report.msHistory);
     delta = edit.commit();
     report.changedBlocks = delta.changes.size();
     account(delta, Direction::forward);
-    changed = delta.keys();
-    history_.push(std::move(delta), {report.op, before, scale, solid_, nextSolid_});
-    solid_ = nextSolid_;
   }
   field_.scale = scale;
-  refresh(changed, report);
+  if (!std::exchange(followed_, false)) show(delta, report);
+  const Timer timer(report.msHistory);
+  history_.push(std::move(delta), {report.op, before, scale, solid_, nextSolid_});
+  solid_ = nextSolid_;
 }
 
 template <int Side>
 void Workbench<Side>::showAll() {
+  followed_ = false;
   if (upkeep_ == SurfaceUpkeep::none) return;
   surface_.rebuild(field_);
-  shown_ = field_.tree;
   changes_ = {.all = true, .blocks = {}, .patches = {}};
 }
 
@@ -89,20 +88,32 @@ SurfaceChanges Workbench<Side>::takeChanges() {
 }
 
 template <int Side>
-void Workbench<Side>::refresh(std::span<const KeyRun> changed, OperationReport& report) {
+void Workbench<Side>::refresh(std::span<const ChangedRun> changed, OperationReport& report) {
   if (upkeep_ == SurfaceUpkeep::none) return;
-  const Delta<Block> delta = difference(shown_, field_.tree, changed);
+  followed_ = true;
   {
     const Timer timer(report.msSurface);
-    note(changed, surface_.refresh(field_, delta));
+    note(changed, surface_.refresh(field_, changed));
   }
-  report.treated += treatedCubes(delta);
-  delta.apply(shown_, Direction::forward);
+  report.treated += treatedCubes<Side>(changed);
+}
+
+// Brings the surface over a whole delta, in either direction.
+template <int Side>
+void Workbench<Side>::show(const Delta<Block>& delta, OperationReport& report) {
+  if (upkeep_ == SurfaceUpkeep::none) return;
+  {
+    const Timer timer(report.msSurface);
+    const std::vector<KeyRun> keys = delta.keys();
+    note(std::span<const KeyRun>(keys), surface_.refresh(field_, delta));
+  }
+  report.treated += treatedCubes<Side>(changedRuns<Side>(delta));
 }
 
 // Until somebody takes the changes, all of it may be new: then there is nothing to note.
 template <int Side>
-void Workbench<Side>::note(std::span<const KeyRun> changed, const RefreshReport& report) {
+template <class Run>
+void Workbench<Side>::note(std::span<const Run> changed, const RefreshReport& report) {
   if (changes_.all) return;
   changes_.blocks.insert(changes_.blocks.end(), changed.begin(), changed.end());
   changes_.patches.insert(changes_.patches.end(), report.changed.begin(), report.changed.end());
@@ -121,7 +132,7 @@ bool Workbench<Side>::revisit(Direction direction, OperationReport& report) {
   solid_ = nextSolid_ = forward ? step->note.solidAfter : step->note.solidBefore;
   account(step->delta, direction);
   report.changedBlocks += step->delta.changes.size();
-  refresh(step->delta.keys(), report);
+  show(step->delta, report);
   return true;
 }
 

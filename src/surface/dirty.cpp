@@ -98,18 +98,42 @@ std::array<Reach, 3> reachOf(const CornerBlock<Side>* before, const CornerBlock<
 
 }  // namespace
 
+namespace {
+
+// Bits of the corners that differ.
 template <int Side>
-DirtyRows<Side> dirtyRows(const CornerBlock<Side>* before, const CornerBlock<Side>* after) {
-  DirtyRows<Side> rows;
+CornerBits changedCorners(const CornerBlock<Side>* before, const CornerBlock<Side>* after) {
+  CornerBits corners{};
   if (surelyAllDirty(before, after)) {
-    rows.fill(static_cast<std::uint8_t>((1u << Side) - 1));
-    return rows;
+    corners.fill(kAllCorners);
+    return corners;
   }
   const CornerBlock<Side>* const none = BlockWindow<Side>::empty();
   const CornerBlock<Side>& a = before != nullptr ? *before : *none;
   const CornerBlock<Side>& b = after != nullptr ? *after : *none;
-  for (int row = 0; row < Side * Side; ++row) rows[row] = differingBits<Side>(a, b, row * Side);
-  return rows;
+  for (int row = 0; row < Side * Side; ++row) {
+    const std::uint64_t bits = differingBits<Side>(a, b, row * Side);
+    corners[row / Side] |= bits << (row % Side * Side);
+  }
+  return corners;
+}
+
+}  // namespace
+
+template <int Side>
+std::array<Reach, 3> reachOf(const CornerBits& corners) {
+  std::uint64_t all = 0;
+  TouchedPlaces places;
+  for (int i = 0; i < Side; ++i) {
+    all |= corners[i];
+    places.bits[0] |= (corners[i] != 0 ? 1u : 0u) << i;
+  }
+  for (int j = 0; j < Side; ++j) {
+    const auto row = static_cast<std::uint32_t>(all >> (j * Side)) & ((1u << Side) - 1);
+    places.bits[1] |= (row != 0 ? 1u : 0u) << j;
+    places.bits[2] |= row;
+  }
+  return places.reach(Side);
 }
 
 template <int Side>
@@ -126,62 +150,24 @@ std::vector<TouchedRun> touchedRuns(const Delta<CornerBlock<Side>>& delta) {
   return touched;
 }
 
-namespace {
-
-// Cubes of the block at `key` with a dirty corner.
-template <int Side, class Find>
-std::int64_t treatedIn(Key key, Find&& rowsAt) {
-  std::array<const DirtyRows<Side>*, 8> blocks;
-  for (int n = 0; n < 8; ++n) blocks[n] = rowsAt(key + Key{n >> 2, n >> 1 & 1, n & 1});
-  const auto rowAt = [&](int i, int j) {
-    std::uint32_t bits = 0;
-    for (int next = 0; next < 2; ++next) {
-      const int block = i / Side << 2 | j / Side << 1 | next;
-      if (blocks[block] == nullptr) continue;
-      bits |= std::uint32_t{(*blocks[block])[i % Side * Side + j % Side]} << (next * Side);
-    }
-    return bits;
-  };
-  std::int64_t count = 0;
-  for (int i = 0; i < Side; ++i)
-    for (int j = 0; j < Side; ++j) {
-      const std::uint32_t bits =
-          rowAt(i, j) | rowAt(i + 1, j) | rowAt(i, j + 1) | rowAt(i + 1, j + 1);
-      count += std::popcount((bits | bits >> 1) & ((1u << Side) - 1));
-    }
-  return count;
-}
-
-}  // namespace
-
 template <int Side>
-std::int64_t treatedCubes(const Delta<CornerBlock<Side>>& delta) {
-  std::vector<TouchedRun> touched;
-  std::vector<DirtyRows<Side>> rows;
-  for (const auto& change : delta.changes) {
-    touched.push_back({{change.key, change.length}});
-    rows.push_back(dirtyRows<Side>(change.before.get(), change.after.get()));
-  }
-  const auto rowsAt = [&](Key key) -> const DirtyRows<Side>* {
-    const auto after = std::partition_point(
-        touched.begin(), touched.end(), [&](const TouchedRun& t) { return !(key < t.run.key); });
-    if (after == touched.begin()) return nullptr;
-    const KeyRun& run = std::prev(after)->run;
-    const bool covered = run.key.i == key.i && run.key.j == key.j && key.k < run.key.k + run.length;
-    return covered ? &rows[static_cast<std::size_t>(std::prev(after) - touched.begin())] : nullptr;
-  };
-  std::int64_t count = 0;
-  for (const auto& [key, length] : dilated(touched, 1, 0)) {
-    for (std::int32_t n = 0; n < length; ++n) count += treatedIn<Side>(key + Key{0, 0, n}, rowsAt);
-  }
-  return count;
+std::vector<ChangedRun> changedRuns(const Delta<CornerBlock<Side>>& delta) {
+  std::vector<ChangedRun> changed(delta.changes.size());
+  parallelFor(changed.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const auto& change = delta.changes[n];
+      changed[n] = KeyRun{change.key, change.length};
+      changed[n].corners = changedCorners<Side>(change.before.get(), change.after.get());
+    }
+  });
+  return changed;
 }
 
-template DirtyRows<1> dirtyRows(const CornerBlock<1>*, const CornerBlock<1>*);
-template DirtyRows<8> dirtyRows(const CornerBlock<8>*, const CornerBlock<8>*);
+template std::array<Reach, 3> reachOf<1>(const CornerBits&);
+template std::array<Reach, 3> reachOf<8>(const CornerBits&);
 template std::vector<TouchedRun> touchedRuns<1>(const Delta<CornerBlock<1>>&);
 template std::vector<TouchedRun> touchedRuns<8>(const Delta<CornerBlock<8>>&);
-template std::int64_t treatedCubes<1>(const Delta<CornerBlock<1>>&);
-template std::int64_t treatedCubes<8>(const Delta<CornerBlock<8>>&);
+template std::vector<ChangedRun> changedRuns<1>(const Delta<CornerBlock<1>>&);
+template std::vector<ChangedRun> changedRuns<8>(const Delta<CornerBlock<8>>&);
 
 }  // namespace bozzetto

@@ -4,19 +4,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "bozzetto/field/changed_run.hpp"
 #include "bozzetto/field/corner_block.hpp"
 #include "bozzetto/grid/delta.hpp"
 #include "surface/key_runs.hpp"
 
 namespace bozzetto {
 
-/// Bit k of entry i · Side + j: corner (i, j, k) of the block changed.
+/// In which neighbours' patches a change of these corners is felt.
 template <int Side>
-using DirtyRows = std::array<std::uint8_t, Side * Side>;
-
-/// Compares values and attributes; null stands for an empty block.
-template <int Side>
-DirtyRows<Side> dirtyRows(const CornerBlock<Side>* before, const CornerBlock<Side>* after);
+std::array<Reach, 3> reachOf(const CornerBits& corners);
 
 /// The changed blocks of a delta, and in which of their neighbours' patches that is felt.
 template <int Side>

@@ -249,6 +249,14 @@ RefreshReport Surface<Side>::refresh(const FieldType& field, std::span<const Key
 }
 
 template <int Side>
+RefreshReport Surface<Side>::refresh(const FieldType& field, std::span<const ChangedRun> changed) {
+  std::vector<TouchedRun> touched;
+  touched.reserve(changed.size());
+  for (const ChangedRun& run : changed) touched.push_back({run, reachOf<Side>(run.corners)});
+  return refreshTouched(field, std::move(touched));
+}
+
+template <int Side>
 RefreshReport Surface<Side>::refresh(const FieldType& field, const Delta<Block>& delta) {
   return refreshTouched(field, touchedRuns<Side>(delta));
 }

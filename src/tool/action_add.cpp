@@ -20,6 +20,17 @@ struct AddRule {
   }
 };
 
+// Free clay of the tool's colour, or none.
+struct AddValueRule {
+  const float* potential;
+  float strength;
+
+  BOZZETTO_KERNEL float operator()(float old, int n) const {
+    const float amount = strength * potential[n];
+    return pick(positiveMask(amount), lesser(old + amount, 1.0f), old);
+  }
+};
+
 struct AddBlendRule {
   const float* potential;
   float strength;
@@ -46,6 +57,8 @@ class Add final : public Action {
   }
 
   Outcome apply(const BlockView& block, float strength) const override {
+    if (block.oneColour && (block.only == tool_ || block.only == 0))
+      return runValues(block, AddValueRule{block.potential, strength}, tool_);
     if (meetsOtherColour(block, tool_))
       return run(block, AddBlendRule{block.potential, strength, tool_});
     return run(block, AddRule{block.potential, strength, tool_});

@@ -13,12 +13,23 @@ struct EraseRule {
   }
 };
 
+// Clay of one colour that yields.
+struct EraseValueRule {
+  const float* potential;
+
+  BOZZETTO_KERNEL float operator()(float old, int n) const {
+    return pick(positiveMask(potential[n]), 0.0f, old);
+  }
+};
+
 class Erase final : public Action {
  public:
   bool leaves(const BlockSummary& block) const override {
     return !block.present || (block.uniform && holdOf(block.attributes) >= kHardHold);
   }
   Outcome apply(const BlockView& block, float) const override {
+    if (block.oneColour && holdOf(block.only) < kHardHold)
+      return runValues(block, EraseValueRule{block.potential}, block.only);
     return run(block, EraseRule{block.potential});
   }
 };

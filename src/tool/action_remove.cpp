@@ -14,12 +14,24 @@ struct RemoveRule {
   }
 };
 
+// Free clay of one colour.
+struct RemoveValueRule {
+  const float* potential;
+  float strength;
+
+  BOZZETTO_KERNEL float operator()(float old, int n) const {
+    return positive(old - strength * potential[n]);
+  }
+};
+
 class Remove final : public Action {
  public:
   bool leaves(const BlockSummary& block) const override {
     return !block.present || (block.uniform && holdOf(block.attributes) == 255);
   }
   Outcome apply(const BlockView& block, float strength) const override {
+    if (block.oneColour && holdOf(block.only) == 0)
+      return runValues(block, RemoveValueRule{block.potential, strength}, block.only);
     return run(block, RemoveRule{block.potential, strength});
   }
 };

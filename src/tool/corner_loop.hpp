@@ -3,6 +3,9 @@
 #pragma once
 #include <algorithm>
 #include <bit>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
 
 #include "bozzetto/tool/action.hpp"
 #include "tool/float_bits.hpp"
@@ -25,6 +28,32 @@ BOZZETTO_KERNEL std::int32_t yieldMask(Attributes attributes) {
   return ~signMask(static_cast<std::int32_t>(attributes));
 }
 inline constexpr int kHardHold = 128;
+
+inline constexpr int kMostCorners = 512;  // of a block
+
+// The highest bits of up to 16 entries.
+BOZZETTO_KERNEL std::uint32_t markBits(const Attributes* marks, int count) {
+#if defined(__SSE2__)
+  if (count >= 16) {
+    const auto load = [&](int n) {
+      return _mm_load_si128(reinterpret_cast<const __m128i*>(marks + 4 * n));
+    };
+    const __m128i low = _mm_packs_epi32(load(0), load(1)), high = _mm_packs_epi32(load(2), load(3));
+    return static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_packs_epi16(low, high)));
+  }
+#endif
+  std::uint32_t bits = 0;
+  for (int n = 0; n < std::min(count, 16); ++n) bits |= (marks[n] >> 31) << n;
+  return bits;
+}
+
+// Bit n of the corners: the highest bit of entry n.
+BOZZETTO_KERNEL CornerBits cornerBits(const Attributes* marks, int count) {
+  CornerBits bits{};
+  for (int n = 0; n < count; n += 16)
+    bits[n / 64] |= std::uint64_t{markBits(marks + n, count - n)} << n % 64;
+  return bits;
+}
 
 struct Corner {
   float value;
@@ -56,6 +85,23 @@ BOZZETTO_KERNEL Attributes blended(Attributes attributes, Attributes tool, float
   return result;
 }
 
+// What a loop over corners gathers beside the corners themselves.
+struct Gathered {
+  std::int32_t low = bits(1e30f), high = 0;
+  Attributes every = ~Attributes{0}, any = 0;  // of corners with clay
+  int dirty = 0;
+};
+
+BOZZETTO_KERNEL Outcome outcomeOf(const Gathered& all, const Attributes* differs, int count) {
+  Outcome outcome{all.dirty, real(all.low), real(all.high)};
+  outcome.oneColour = all.every == all.any || all.high == 0;
+  outcome.only = all.any;
+  outcome.uniform = all.low == all.high && outcome.oneColour;
+  outcome.settled = true;
+  if (all.dirty != count || count < 64) outcome.corners = cornerBits(differs, count);
+  return outcome;
+}
+
 // `corner(old, n)` gives the new corner n. Corners without clay lose their attributes.
 template <class Rule>
 BOZZETTO_KERNEL Outcome forCorners(const BlockView& block, const Rule& corner) {
@@ -64,25 +110,56 @@ BOZZETTO_KERNEL Outcome forCorners(const BlockView& block, const Rule& corner) {
   const Attributes* attributes = block.attributes;
   float* newValue = block.newValue;
   Attributes* newAttributes = block.newAttributes;
-  std::int32_t low = bits(1e30f), high = 0;
-  Attributes every = ~Attributes{0}, any = 0;
-  int dirty = 0;
+  alignas(64) Attributes differs[kMostCorners];
+  Gathered all;
   BOZZETTO_INDEPENDENT
   for (int n = 0; n < count; ++n) {
     const Corner old{value[n], attributes[n]};
     Corner made = corner(old, n);
-    made.attributes &= static_cast<Attributes>(positiveMask(made.value));
+    const auto clay = static_cast<Attributes>(positiveMask(made.value));
+    made.attributes &= clay;
     newValue[n] = made.value;
     newAttributes[n] = made.attributes;
     const auto changed = static_cast<Attributes>(bits(made.value) ^ bits(old.value));
-    const Attributes differs = changed | (made.attributes ^ old.attributes);
-    dirty += static_cast<int>((differs | (0 - differs)) >> 31);
-    low = std::min(low, bits(made.value));
-    high = std::max(high, bits(made.value));
-    every &= made.attributes;
-    any |= made.attributes;
+    const Attributes other = changed | (made.attributes ^ old.attributes);
+    differs[n] = other | (0 - other);  // the highest bit
+    all.dirty += static_cast<int>(differs[n] >> 31);
+    all.low = std::min(all.low, bits(made.value));
+    all.high = std::max(all.high, bits(made.value));
+    all.every &= made.attributes | ~clay;
+    all.any |= made.attributes;
   }
-  return {dirty, real(low), real(high), low == high && every == any, 0};
+  return outcomeOf(all, differs, count);
+}
+
+// The same where all clay, old and new, has one colour: `value(old, n)` gives the new value.
+// Attributes are not read, and written only where clay may have come or gone.
+template <class Rule>
+BOZZETTO_KERNEL Outcome forValues(const BlockView& block, const Rule& value, Attributes only) {
+  const int count = block.count;
+  const float* oldValue = block.value;
+  float* newValue = block.newValue;
+  alignas(64) Attributes differs[kMostCorners];
+  Gathered all;
+  BOZZETTO_INDEPENDENT
+  for (int n = 0; n < count; ++n) {
+    const float old = oldValue[n], made = value(old, n);
+    newValue[n] = made;
+    const auto other = static_cast<Attributes>(bits(made) ^ bits(old));
+    differs[n] = other | (0 - other);
+    all.dirty += static_cast<int>(differs[n] >> 31);
+    all.low = std::min(all.low, bits(made));
+    all.high = std::max(all.high, bits(made));
+  }
+  all.every = all.any = only;
+  const bool kept = block.newAttributes == block.attributes && block.low > 0 && all.low > 0;
+  if (!kept) {
+    Attributes* newAttributes = block.newAttributes;
+    BOZZETTO_INDEPENDENT
+    for (int n = 0; n < count; ++n)
+      newAttributes[n] = only & static_cast<Attributes>(positiveMask(newValue[n]));
+  }
+  return outcomeOf(all, differs, count);
 }
 
 template <class Rule>
@@ -98,6 +175,22 @@ Outcome runPlain(const BlockView& block, const Rule& rule) {
 template <class Rule>
 Outcome run(const BlockView& block, const Rule& rule) {
   return hasAvx2() ? runAvx2(block, rule) : runPlain(block, rule);
+}
+
+template <class Rule>
+BOZZETTO_TARGET_AVX2 Outcome runValuesAvx2(const BlockView& block, const Rule& rule,
+                                           Attributes only) {
+  return forValues(block, rule, only);
+}
+
+template <class Rule>
+Outcome runValuesPlain(const BlockView& block, const Rule& rule, Attributes only) {
+  return forValues(block, rule, only);
+}
+
+template <class Rule>
+Outcome runValues(const BlockView& block, const Rule& rule, Attributes only) {
+  return hasAvx2() ? runValuesAvx2(block, rule, only) : runValuesPlain(block, rule, only);
 }
 
 /// Some corner with clay that the tool covers has another colour than `tool`.

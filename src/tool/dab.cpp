@@ -27,6 +27,15 @@ BlockSummary summaryOf(const CornerBlock<Side>* block) {
   return {true, uniform, block->value[0], block->attributes[0]};
 }
 
+// The head and the values, while the block before is worked on.
+template <int Side>
+void prefetch(const CornerBlock<Side>* block) {
+  if (Side == 1 || block == nullptr || block->interned) return;
+  constexpr std::size_t line = 64 / sizeof(float);
+  for (std::size_t n = 0; n < CornerBlock<Side>::kCount; n += line)
+    __builtin_prefetch(&block->value[n]);
+}
+
 }  // namespace
 
 void DabReport::add(const DabReport& other) {
@@ -79,6 +88,7 @@ void DabWalker<Side>::apply(const Dab& dab, DabReport& report) {
   const LocalFrame frame = localFrame(influence);
   report.visited += box.count();
   report.computed += countLocal(frame, box.low - frame.cell, box.high - frame.cell);
+  left_ = this;  // nothing yet
   // Low-passing reads the old neighbours: there, nothing is written before everything is made.
   const bool lowpass = dab.action->wantsLowpass();
   if (lowpass) gatherNeighbourhood(walk);
@@ -102,14 +112,21 @@ void DabWalker<Side>::listColumn(const Walk& walk, std::int32_t bi, std::int32_t
   edit_->visit(column, [&](KeyRun piece, const Block* block) { listPiece(walk, piece, block); });
 }
 
+// Blocks are looked into only where the tool reaches them; a saturated inside is one block in many
+// nodes, asked about once.
 template <int Side>
 void DabWalker<Side>::listPiece(const Walk& walk, KeyRun piece, const Block* block) {
   const Action& action = *walk.dab.action;
   const bool lowpass = action.wantsLowpass();
-  if (!lowpass && action.leaves(summaryOf(block))) return;
+  if (block == left_) return;
+  if (piece.length == 1 && walk.misses(piece)) return;
+  if (!lowpass && action.leaves(summaryOf(block))) {
+    if (block == nullptr || block->interned) left_ = block;
+    return;
+  }
   for (std::int32_t n = 0; n < piece.length; ++n) {
     const Key key = piece.key + Key{0, 0, n};
-    if (walk.misses({key, 1})) continue;
+    if (piece.length > 1 && walk.misses({key, 1})) continue;
     work_.push_back({key, block, nullptr, {}});
   }
 }
@@ -134,7 +151,10 @@ template <int Side>
 void DabWalker<Side>::compute(const Walk& walk) {
   parallelFor(work_.size(), grainFor<Side>(*walk.dab.action),
               [&](std::size_t begin, std::size_t end) {
-                for (std::size_t n = begin; n < end; ++n) compute(walk, work_[n]);
+                for (std::size_t n = begin; n < end; ++n) {
+                  if (n + 1 < end) prefetch(work_[n + 1].old);
+                  compute(walk, work_[n]);
+                }
               });
 }
 

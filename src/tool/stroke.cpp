@@ -19,19 +19,14 @@ void requireValid(const Stroke& stroke) {
   requireValid(stroke.symmetry);
 }
 
+// Blocks of a report, before those listed twice are thrown out.
+constexpr std::size_t kMostListed = std::size_t{1} << 17;
+
 double smallest(const glm::dvec3& radii) { return std::min({radii.x, radii.y, radii.z}); }
 
 // What a sculpture may be scaled by and still be sampled.
 double smallestFactor(const ToolShape& tool) {
   return std::min(1.0, minification(*tool.sculpture, tool.radii) / kMostMinified);
-}
-
-// In key order, each key once.
-void tidy(std::vector<KeyRun>& runs) {
-  const auto less = [](const KeyRun& a, const KeyRun& b) { return a.key < b.key; };
-  const auto same = [](const KeyRun& a, const KeyRun& b) { return a.key == b.key; };
-  std::sort(runs.begin(), runs.end(), less);
-  runs.erase(std::unique(runs.begin(), runs.end(), same), runs.end());
 }
 
 }  // namespace
@@ -165,10 +160,11 @@ StrokeReport applyStroke(StrokeRunner<Side>& runner, Progress& progress) {
   StrokeReport report{runner.dabCount(), {}, runner.notice()};
   for (std::int64_t n = 0; n < report.dabs; ++n) {
     report.total.add(runner.dab(n));
-    if (report.total.changed.size() > std::size_t{1} << 20) tidy(report.total.changed);
+    auto& changed = report.total.changed;
+    if (changed.size() > kMostListed) changed = sortedOnce(std::move(changed));
     runner.step(progress, n);
   }
-  tidy(report.total.changed);
+  report.total.changed = sortedOnce(std::move(report.total.changed));
   return report;
 }
 

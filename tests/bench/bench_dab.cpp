@@ -23,12 +23,9 @@ template <int Side>
 struct Studio {
   using Block = CornerBlock<Side>;
 
-  explicit Studio(Field<Side> content) : field(std::move(content)), shown(field.tree) {
-    surface.rebuild(field);
-  }
+  explicit Studio(Field<Side> content) : field(std::move(content)) { surface.rebuild(field); }
 
   Field<Side> field;
-  typename Field<Side>::Tree shown;  // what the surface shows
   Surface<Side> surface;
   UndoStack<Block, int> undo;
 
@@ -44,12 +41,10 @@ struct Studio {
   double seconds() const { return workload::seconds() - counting; }
   double counting = 0;
 
-  RefreshReport refresh(std::span<const KeyRun> changed, Counts& counts) {
-    const Delta<Block> delta = difference(shown, field.tree, changed);
-    RefreshReport report = surface.refresh(field, delta);
-    delta.apply(shown, Direction::forward);
+  RefreshReport refresh(std::span<const ChangedRun> changed, Counts& counts) {
+    RefreshReport report = surface.refresh(field, changed);
     const double start = workload::seconds();
-    counts.treated += treatedCubes<Side>(delta);
+    counts.treated += treatedCubes<Side>(changed);
     counting += workload::seconds() - start;
     return report;
   }
@@ -76,9 +71,7 @@ struct Studio {
   }
 
   void takeBack() {
-    const auto& step = undo.undo(field.tree);
-    Counts ignored;
-    refresh(step.delta.keys(), ignored);
+    surface.refresh(field, undo.undo(field.tree).delta);
     undo.clear();
   }
 };
@@ -139,8 +132,8 @@ void undoStroke(benchmark::State& state, double radius, int threads) {
                 strokes::onBall(radius), counts);
   for (auto _ : state) {
     const double start = studio.seconds();
-    studio.refresh(studio.undo.undo(studio.field.tree).delta.keys(), counts);
-    studio.refresh(studio.undo.redo(studio.field.tree).delta.keys(), counts);
+    studio.surface.refresh(studio.field, studio.undo.undo(studio.field.tree).delta);
+    studio.surface.refresh(studio.field, studio.undo.redo(studio.field.tree).delta);
     state.SetIterationTime((studio.seconds() - start) / 2);
   }
   state.SetLabel(scenes::hashOf(studio.field));

@@ -25,21 +25,11 @@ std::string hashOf(const Surface<8>& surface) {
   return hexDigits(hasher.result());
 }
 
-// Clay with its surface, and the tree that the surface shows.
+// Clay with its surface.
 struct Shown {
-  explicit Shown(Clay content) : clay(std::move(content)), tree(clay.tree) {
-    surface.rebuild(clay);
-  }
-
-  RefreshReport refresh(std::span<const KeyRun> changed) {
-    const Delta<Clay::Block> delta = difference(tree, clay.tree, changed);
-    RefreshReport report = surface.refresh(clay, delta);
-    delta.apply(tree, Direction::forward);
-    return report;
-  }
+  explicit Shown(Clay content) : clay(std::move(content)) { surface.rebuild(clay); }
 
   Clay clay;
-  Clay::Tree tree;
   Surface<8> surface;
 };
 
@@ -69,13 +59,13 @@ double strokeOnce(Shown& shown, double radius, Sums& sums, After after) {
   for (std::int64_t n = 0; n < runner.dabCount(); ++n) {
     const DabReport dab = runner.dab(n);
     const double start = workload::seconds();
-    const RefreshReport report = shown.refresh(dab.changed);
+    const RefreshReport report = shown.surface.refresh(shown.clay, dab.changed);
     addTo(sums, workload::seconds() - start, report);
   }
   after();
   const Delta<Clay::Block> delta = edit.commit();
   delta.apply(shown.clay.tree, Direction::backward);
-  shown.refresh(delta.keys());
+  shown.surface.refresh(shown.clay, delta);
   return sums.seconds - before;
 }
 

@@ -140,19 +140,24 @@ TEST(Refresh, sameForAnyNumberOfThreads) {
   setThreadCount(0);
 }
 
+template <int Side>
+std::int64_t treated(const Delta<CornerBlock<Side>>& delta) {
+  return treatedCubes<Side>(changedRuns<Side>(delta));
+}
+
 TEST(Refresh, treatedCubesShareADirtyCorner) {
   Clay clay;
   const auto one = testing::fill<8>(clay, {{5, 5, 5}, {5, 5, 5}}, [](Key) { return 1.0f; });
-  EXPECT_EQ(treatedCubes<8>(one), 8);
+  EXPECT_EQ(treated<8>(one), 8);
   const auto row = testing::fill<8>(clay, {{5, 5, 5}, {5, 5, 9}}, [](Key) { return 0.75f; });
-  EXPECT_EQ(treatedCubes<8>(row), 2 * 2 * 6);
+  EXPECT_EQ(treated<8>(row), 2 * 2 * 6);
   const auto same = testing::fill<8>(clay, {{5, 5, 5}, {5, 5, 9}}, [](Key) { return 0.75f; });
-  EXPECT_EQ(treatedCubes<8>(same), 0);
+  EXPECT_EQ(treated<8>(same), 0);
   const auto box = testing::fill<8>(clay, {{-20, 0, 3}, {-1, 15, 9}}, [](Key) { return 1.0f; });
-  EXPECT_EQ(treatedCubes<8>(box), 21 * 17 * 8);
+  EXPECT_EQ(treated<8>(box), 21 * 17 * 8);
   Field<1> small;
   const auto box1 = testing::fill<1>(small, {{-3, 0, 3}, {-1, 5, 9}}, [](Key) { return 1.0f; });
-  EXPECT_EQ(treatedCubes<1>(box1), 4 * 7 * 8);
+  EXPECT_EQ(treated<1>(box1), 4 * 7 * 8);
 }
 
 }  // namespace

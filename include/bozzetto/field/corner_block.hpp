@@ -41,7 +41,9 @@ struct CornerBlock : RefCounted {
   // What others ask first shares a cache line with the count of holders.
   float low = 0, high = 0;  ///< least and greatest value: what the surface asks first
   bool interned = false;    ///< the one shared block of its uniform content; never written
-  MassUnits mass = 0;       ///< of all corners; true in committed blocks
+  bool oneColour = false;   ///< settled blocks: all corners with clay have the attributes `only`
+  Attributes only = 0;
+  MassUnits mass = 0;  ///< of all corners; true in committed blocks
   alignas(Side >= 8 ? 64 : 4) std::array<float, kCount> value;
   std::array<Attributes, kCount> attributes;
 
@@ -54,7 +56,8 @@ struct CornerBlock : RefCounted {
   void updateRange();
 
   /// Null when no corner holds clay; the interned block when all corners are equal (side 8);
-  /// otherwise the same block with attributes of empty corners cleared, range and mass right.
+  /// otherwise the same block with attributes of empty corners cleared, range, colour and mass
+  /// right, settled. Only the mass is made where the block is settled already.
   static Ref<CornerBlock> canonical(Ref<CornerBlock> block);
 
   /// The one block whose corners all have this value and these attributes. Thread-safe.

@@ -4,7 +4,8 @@
 //
 // A Block derives from RefCounted and offers
 //   kCount                                   elements
-//   static Ref<Block> canonical(Ref<Block>)  null when empty, the interned twin when uniform
+//   static Ref<Block> canonical(Ref<Block>)  null when empty, the interned twin when uniform, else
+//                                            the block itself, settled
 //   bool sameAs(const Block&) const          equal content, bit for bit
 #pragma once
 #include <atomic>
@@ -45,7 +46,10 @@ class Edit {
   /// duplicated in the middle of an edit), else null. O(1).
   Block* own(const Block* present) const {
     const bool mine = present != nullptr && present->editor == number_ && present->holders() == 1;
-    return mine ? const_cast<Block*>(present) : nullptr;  // made by this edit, not const then
+    if (!mine) return nullptr;
+    auto* const block = const_cast<Block*>(present);  // made by this edit, not const then
+    block->settled = false;
+    return block;
   }
 
   /// The block to write in place: this edit's own, cloned or made empty at the first call for a
@@ -70,6 +74,7 @@ class Edit {
   /// A block of the caller's making, as if from fresh().
   Ref<Block> own(Ref<Block> block) const {
     block->editor = number_;
+    block->settled = false;
     return block;
   }
 
@@ -79,17 +84,41 @@ class Edit {
     Delta<Block>::putOrErase(*tree_, run, block);
   }
 
+  /// Where the last key was found: for keys that come in order. Good while nothing else changes
+  /// the tree.
+  class Place {
+   public:
+    explicit Place(const Edit& edit) : node_(edit.tree_->end()), noted_(edit.before_.end()) {}
+
+   private:
+    friend class Edit;
+    typename KeyTree<Block>::const_iterator node_, noted_;
+  };
+
+  /// replace({key, 1}, block) for ascending keys. Amortised O(1) where they are close.
+  void replace(Key key, const Ref<Block>& block, Place& place) {
+    const auto node = tree_->from(key, place.node_);
+    remember(key, node, place);
+    if (block) {
+      place.node_ = tree_->put(node, key, block);
+    } else {
+      tree_->erase(key);
+      place.node_ = tree_->end();
+    }
+  }
+
   /// Ends the edit: written blocks become canonical, unchanged ones their old selves again.
   /// O(touched blocks), in parallel. The edit is empty afterwards and may be used again.
   Delta<Block> commit() {
-    std::vector<Change<Block>> touched = collect();
+    std::vector<Touched> touched = collect();
     tidy(touched);
     Delta<Block> delta;
-    for (auto& change : touched) {
-      Delta<Block>::putOrErase(*tree_, {change.key, change.length}, change.after);
+    delta.changes.reserve(touched.size());
+    for (auto& [change, stands] : touched) {
+      if (!stands) Delta<Block>::putOrErase(*tree_, {change.key, change.length}, change.after);
       if (!(change.before == change.after)) delta.changes.push_back(std::move(change));
     }
-    for (const auto& change : delta.changes) tree_->join(change.key);
+    for (const auto& change : delta.changes) joinAt(change);
     restart();
     return delta;
   }
@@ -117,6 +146,20 @@ class Edit {
     });
   }
 
+  // The same for one key; `node` is the tree's from(key).
+  void remember(Key key, typename KeyTree<Block>::const_iterator node, Place& place) {
+    const auto noted = before_.from(key, place.noted_);
+    const bool known = noted != before_.end() && !(key < noted->first);
+    const bool present = node != tree_->end() && !(key < node->first);
+    place.noted_ =
+        known ? noted : before_.insert(noted, key, present ? node->second.block : nullptr);
+  }
+
+  // A block that only the tree and the delta hold has no twin beside it.
+  void joinAt(const Change<Block>& change) {
+    if (change.after && change.after->holders() > 2) tree_->join(change.key);
+  }
+
   // Calls gap(run) for every part of `run` that `tree` has no node for.
   template <class Callback>
   static void forGaps(const KeyTree<Block>& tree, KeyRun run, Callback&& gap) {
@@ -127,32 +170,42 @@ class Edit {
     for (const KeyRun& piece : gaps) gap(piece);
   }
 
+  struct Touched {
+    Change<Block> change;
+    bool stands = true;  // `after` is what the tree has
+  };
+
   // Before and after of everything touched, in pieces on which both are constant.
-  std::vector<Change<Block>> collect() const {
-    std::vector<Change<Block>> touched;
+  std::vector<Touched> collect() const {
+    std::vector<Touched> touched;
     touched.reserve(before_.nodeCount());
+    auto near = tree_->end();
     for (const auto& [key, run] : before_) {
-      forPieces(*tree_, {key, run.length},
-                [&, &old = run.block](KeyRun piece, const Ref<Block>& now) {
-                  touched.push_back({piece.key, piece.length, old, now});
-                });
+      near = tree_->from(key, near);
+      const auto add = [&, &old = run.block](KeyRun piece, const Ref<Block>& now) {
+        touched.push_back({{piece.key, piece.length, old, now}});
+      };
+      forPieces(*tree_, near, {key, run.length}, add);
     }
     return touched;
   }
 
-  void tidy(std::vector<Change<Block>>& touched) const {
+  void tidy(std::vector<Touched>& touched) const {
     constexpr std::size_t grain = Block::kCount >= 512 ? 64 : 4096;
     parallelFor(touched.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) tidy(touched[n]);
     });
   }
 
-  void tidy(Change<Block>& change) const {
+  void tidy(Touched& touched) const {
+    Change<Block>& change = touched.change;
     if (!change.after || change.after->editor != number_) return;
+    const Block* const standing = change.after.get();
     change.after = Block::canonical(std::move(change.after));
     if (change.before && change.after && change.before->sameAs(*change.after)) {
       change.after = change.before;
     }
+    touched.stands = change.after.get() == standing;
   }
 
   KeyTree<Block>* tree_;

@@ -72,6 +72,19 @@ class KeyTree {
     return covers(*before, key) ? before : after;
   }
 
+  /// from(key) for keys that come in order: walks a few nodes on from `near`, a node at or before
+  /// `key` that was found last (or end()), and searches only when that does not reach.
+  const_iterator from(Key key, const_iterator near) const {
+    constexpr int kSteps = 4;
+    if (near == map_.end() || key < near->first) return from(key);
+    for (int step = 0; step < kSteps; ++step) {
+      const const_iterator next = std::next(near);
+      if (next == map_.end() || key < next->first) return covers(*near, key) ? near : next;
+      near = next;
+    }
+    return from(key);
+  }
+
   const_iterator begin() const { return map_.begin(); }
   const_iterator end() const { return map_.end(); }
   std::size_t nodeCount() const { return map_.size(); }
@@ -81,27 +94,30 @@ class KeyTree {
   /// Makes `block` stand at `length` keys from `key` upwards along k, whatever stood there.
   void put(Key key, std::int32_t length, Ref<Block> block) {
     assert(length > 0);
-    const const_iterator next = cut(key, length);
+    const const_iterator next = cut(from(key), key, length);
     map_.emplace_hint(next, key, Run<Block>{length, std::move(block)});
   }
 
   /// Puts one block; replaces in place where a node of length 1 stands there already. O(log n).
-  void put(Key key, Ref<Block> block) {
-    const const_iterator node = at(key);
-    if (node != map_.end() && node->second.length == 1) {
+  void put(Key key, Ref<Block> block) { put(from(key), key, std::move(block)); }
+
+  /// The same where `node` is from(key); returns the node. Amortised O(1).
+  const_iterator put(const_iterator node, Key key, Ref<Block> block) {
+    if (node != map_.end() && node->second.length == 1 && !(key < node->first)) {
       mutableRun(node).block = std::move(block);
-    } else {
-      put(key, 1, std::move(block));
+      return node;
     }
+    const const_iterator next = cut(node, key, 1);
+    return map_.emplace_hint(next, key, Run<Block>{1, std::move(block)});
   }
 
   /// Puts one block where nothing stands, right before `next`. Amortised O(1).
-  void insert(const_iterator next, Key key, Ref<Block> block) {
-    map_.emplace_hint(next, key, Run<Block>{1, std::move(block)});
+  const_iterator insert(const_iterator next, Key key, Ref<Block> block) {
+    return map_.emplace_hint(next, key, Run<Block>{1, std::move(block)});
   }
 
   /// Takes away what stands at `length` keys from `key` upwards.
-  void erase(Key key, std::int32_t length = 1) { cut(key, length); }
+  void erase(Key key, std::int32_t length = 1) { cut(from(key), key, length); }
 
   /// Joins runs of the same block that touch at `key` or at the end of the run there.
   void join(Key key) {
@@ -139,10 +155,10 @@ class KeyTree {
     return const_cast<Run<Block>&>(node->second);  // the map is ours; its iterator was const
   }
 
-  // Empties [key, key + length), splitting runs at both ends; returns the node that follows.
-  const_iterator cut(Key key, std::int32_t length) {
+  // Empties [key, key + length), splitting runs at both ends; `node` is from(key); returns the node
+  // that follows.
+  const_iterator cut(const_iterator node, Key key, std::int32_t length) {
     const Key end{key.i, key.j, key.k + length};
-    const_iterator node = from(key);
     while (node != map_.end() && node->first < end) {
       const Key first = node->first;
       const Run<Block> run = node->second;
@@ -173,9 +189,10 @@ class KeyTree {
 
 /// Calls callback(KeyRun, const Ref<Block>&[, bool present]) for every node part and every hole
 /// (null, not present) inside `run`, in order. O(log n + pieces). The tree must not change
-/// meanwhile.
+/// meanwhile. `node` is tree.from(run.key).
 template <class Block, class Callback>
-void forPieces(const KeyTree<Block>& tree, KeyRun run, Callback&& callback) {
+void forPieces(const KeyTree<Block>& tree, typename KeyTree<Block>::const_iterator node, KeyRun run,
+               Callback&& callback) {
   const std::int32_t end = run.key.k + run.length;
   std::int32_t k = run.key.k;
   const auto call = [&](std::int32_t until, const Ref<Block>& block, bool present) {
@@ -187,12 +204,17 @@ void forPieces(const KeyTree<Block>& tree, KeyRun run, Callback&& callback) {
     }
     k = until;
   };
-  for (auto node = tree.from(run.key); k < end; ++node) {
+  for (; k < end; ++node) {
     const bool inside = node != tree.end() && node->first < Key{run.key.i, run.key.j, end};
     if (!inside) return call(end, nullptr, false);
     if (node->first.k > k) call(node->first.k, nullptr, false);
     call(std::min(end, node->first.k + node->second.length), node->second.block, true);
   }
+}
+
+template <class Block, class Callback>
+void forPieces(const KeyTree<Block>& tree, KeyRun run, Callback&& callback) {
+  forPieces(tree, tree.from(run.key), run, callback);
 }
 
 }  // namespace bozzetto

@@ -11,12 +11,15 @@ namespace bozzetto {
 class RefCounted {
  public:
   RefCounted() = default;
-  RefCounted(const RefCounted&) {}  // a copy starts without holders
+  RefCounted(const RefCounted&) {}  // a copy starts without holders, unsettled
   RefCounted& operator=(const RefCounted&) { return *this; }
 
   /// Acquires: whoever finds itself the only holder may write what others have read.
   std::uint32_t holders() const { return holders_.load(std::memory_order_acquire); }
   std::uint64_t editor = 0;
+  /// Whoever wrote the block last left it as canonical() would; cleared when it is handed out to be
+  /// written.
+  bool settled = false;
 
  private:
   template <class T>

@@ -74,8 +74,10 @@ class Workbench {
   /// Ends the edit: one step of history, whatever it changed.
   void keep(Edit<Block>& edit, const FieldScale& scale, OperationReport& report);
   void keep(Edit<Block>& edit, OperationReport& report) { keep(edit, field_.scale, report); }
-  /// Brings the surface to what the clay is now inside these runs, in the middle of an edit.
-  void refresh(std::span<const KeyRun> changed, OperationReport& report);
+  /// Brings the surface to what the clay is now, in the middle of an edit. `changed`, in key order,
+  /// is all that the edit changed since the last call; an edit that calls this once calls it after
+  /// every change.
+  void refresh(std::span<const ChangedRun> changed, OperationReport& report);
   bool shows() const { return upkeep_ == SurfaceUpkeep::afterEachDab; }
   /// Makes the surface anew, after a rollback.
   void showAll();
@@ -84,15 +86,17 @@ class Workbench {
 
  private:
   void account(const Delta<Block>& delta, Direction direction);
-  void note(std::span<const KeyRun> changed, const RefreshReport& report);
+  void show(const Delta<Block>& delta, OperationReport& report);
+  template <class Run>
+  void note(std::span<const Run> changed, const RefreshReport& report);
 
   Field<Side> field_;
   Surface<Side> surface_;
-  Tree shown_;  // what the surface shows: shares blocks with the field
   SurfaceChanges changes_;
   History history_;
   SolidRef solid_, nextSolid_;
   SurfaceUpkeep upkeep_;
+  bool followed_ = false;  // the surface has followed the present edit
   MassSum massUnits_ = 0;
 };
 

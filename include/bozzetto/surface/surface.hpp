@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bozzetto/field/changed_run.hpp"
 #include "bozzetto/field/field.hpp"
 #include "bozzetto/surface/patch.hpp"
 
@@ -47,6 +48,10 @@ class Surface {
   /// values. O(changed blocks and the neighbours they touch). A new iso rebuilds.
   RefreshReport refresh(const FieldType& field, std::span<const KeyRun> changed);
 
+  /// The same where it is known which corners changed: leaves out neighbours that none of them is
+  /// felt in. What a dab reports.
+  RefreshReport refresh(const FieldType& field, std::span<const ChangedRun> changed);
+
   /// The same from a delta that was just applied, in either direction: compares the corners and
   /// leaves out neighbours that no changed corner is felt in.
   RefreshReport refresh(const FieldType& field, const Delta<Block>& delta);
@@ -77,9 +82,13 @@ class Surface {
 extern template class Surface<1>;
 extern template class Surface<8>;
 
-/// Cubes that share a corner whose value or attributes the delta changed: the paper's "treated"
-/// cubes. O(corners of the changed blocks).
+/// The corners whose value or attributes a delta changed. O(corners of the changed blocks).
 template <int Side>
-std::int64_t treatedCubes(const Delta<CornerBlock<Side>>& delta);
+std::vector<ChangedRun> changedRuns(const Delta<CornerBlock<Side>>& delta);
+
+/// Cubes that share a changed corner: the paper's "treated" cubes. `changed` is sorted and does not
+/// overlap. O(changed blocks).
+template <int Side>
+std::int64_t treatedCubes(std::span<const ChangedRun> changed);
 
 }  // namespace bozzetto

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "bozzetto/field/changed_run.hpp"
 #include "bozzetto/field/corner_block.hpp"
 
 namespace bozzetto {
@@ -48,6 +49,11 @@ struct BlockView {
   const float* potential;
   const struct Lowpass* lowpass = nullptr;  ///< for actions that ask for it
   const Attributes* toolColours = nullptr;  ///< likewise; where the potential is above 0
+  /// What is known of the old corners without looking: that all with clay have the attributes
+  /// `only` (or that there is none), and the least value.
+  bool oneColour = false;
+  Attributes only = 0;
+  float low = 0;
 };
 
 /// The block's neighbourhood, low-passed: (1 2 1)³/64 of the old values.
@@ -63,6 +69,14 @@ struct Outcome {
   float low = 0, high = 0;  ///< of the new values
   bool uniform = false;     ///< all corners are equal, attributes too
   MassUnits dropped = 0;    ///< mass the action let go (smooth)
+  /// Which corners changed; unless the action knows better, all may have.
+  CornerBits corners{kAllCorners, kAllCorners, kAllCorners, kAllCorners,
+                     kAllCorners, kAllCorners, kAllCorners, kAllCorners};
+  /// The block is as canonical() would leave it, and whether all its clay has the attributes
+  /// `only`.
+  bool settled = false;
+  bool oneColour = false;
+  Attributes only = 0;
 };
 
 /// What is known of a block, or of a run of equal ones, before looking at its corners.

@@ -11,11 +11,11 @@ namespace bozzetto {
 
 /// The paper's counts, and what the dab touched.
 struct DabReport {
-  std::int64_t visited = 0;     ///< corners in the grid-aligned box of the tool's local box
-  std::int64_t computed = 0;    ///< of these, corners in the local box too
-  std::int64_t dirty = 0;       ///< corners that changed
-  MassUnits dropped = 0;        ///< mass let go by smoothing thin support
-  std::vector<KeyRun> changed;  ///< blocks with dirty corners; keys may repeat between dabs
+  std::int64_t visited = 0;         ///< corners in the grid-aligned box of the tool's local box
+  std::int64_t computed = 0;        ///< of these, corners in the local box too
+  std::int64_t dirty = 0;           ///< corners that changed
+  MassUnits dropped = 0;            ///< mass let go by smoothing thin support
+  std::vector<ChangedRun> changed;  ///< blocks and their dirty corners; may repeat between dabs
 
   void add(const DabReport& other);
 };
@@ -27,6 +27,7 @@ struct BlockWork {
   const CornerBlock<Side>* old = nullptr;  ///< null where there is none
   Ref<CornerBlock<Side>> fresh;            ///< the new one, where it is not written in place
   Outcome outcome;
+  bool settled = false;  ///< `old` was
 };
 
 /// Corners of the grid-aligned box. Throws Error when it leaves the workspace.
@@ -59,6 +60,7 @@ class DabWalker {
 
   Edit<Block>* edit_;
   std::vector<BlockWork<Side>> work_;
+  const void* left_ = nullptr;  // empty space or the interned block that the action leaves alone
   std::vector<const Block*> neighbourhood_;  // of the dab's blocks and a rim of one, for lowpass
 };
 
