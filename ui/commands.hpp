@@ -21,6 +21,8 @@ enum class Command {
   screenshot,
   screenshotWindow,
   turntable,
+  reference,
+  loadMatcap,
   record,
   replay,
   quit,

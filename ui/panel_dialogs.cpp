@@ -32,6 +32,8 @@ const std::vector<Purpose>& purposes() {
       {Dialog::picture, "Picture of the clay", "Save", ".png", {".png"}},
       {Dialog::windowPicture, "Picture of the window", "Save", ".png", {".png"}},
       {Dialog::turntable, "Turntable", "Save", ".png", {".png"}},
+      {Dialog::reference, "Reference picture", "Add", "", {".png"}},
+      {Dialog::matcap, "Matcap from a picture", "Use", "", {".png"}},
       {Dialog::record, "Save the recording", "Save", ".jsonl", {".jsonl"}},
       {Dialog::replay, "Replay a recording", "Replay", "", {".jsonl"}},
   };
@@ -95,6 +97,10 @@ void perform(Session& session, const FileDialog& state, const fs::path& path) {
     case Dialog::windowPicture:
       session.windowPicture = path;
       return;
+    case Dialog::reference:
+      return session.addReference(path);
+    case Dialog::matcap:
+      return session.loadMatcap(path);
     case Dialog::record:
       return session.saveRecording(path);
     case Dialog::replay:

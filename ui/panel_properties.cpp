@@ -174,6 +174,7 @@ void drawProperties(const PanelContext& context) {
   if (section("Symmetry", false)) symmetrySection(session);
   if (section("Lights", false)) lightSection(session);
   if (section("View", false)) viewSection(session);
+  if (section("References", false)) referenceSection(session);
   if (section("Clay")) claySection(session);
   if (section("History", false)) historySection(session);
   if (section("Performance", false)) performanceSection(session, context.figures);

@@ -32,6 +32,8 @@ void fileMenu(Session& session) {
     menuLine(session, c);
   }
   ImGui::Separator();
+  for (const Command c : {Command::reference, Command::loadMatcap}) menuLine(session, c);
+  ImGui::Separator();
   menuLine(session, Command::quit);
 }
 

@@ -58,6 +58,7 @@ void lookSection(Session& session, const UiPictures& pictures) {
     if (lookCard(card, pictures.balls[n], {width, px(76)}, isShown(card, look))) {
       look.mode = card.mode;
       look.matcap = card.matcap;
+      look.matcapImage.reset();
       session.touch();
     }
   }
@@ -240,6 +241,28 @@ void viewSection(Session& session) {
   if (choice("quality", quality, {"Auto", "0", "1", "2", "3", "4"}, "How much frames may cost.")) {
     options.quality.reset();
     if (quality > 0) options.quality = Quality(quality - 1);
+  }
+}
+
+void referenceSection(Session& session) {
+  auto& references = session.options.references;
+  for (std::size_t n = 0; n < references.size(); ++n) {
+    ReferencePicture& picture = references[n];
+    ImGui::PushID(int(n));
+    slide("Opacity", picture.opacity, {0.05, 1, "%", 100, 0}, "How much of it is seen.");
+    toggle("Behind the clay", picture.behind, "Or over everything.");
+    double grown = 1;
+    if (slider("Larger, smaller", grown, {0.8, 1.25, "×", 1, 2, true}, "Drag to resize.")) {
+      picture.right *= grown;
+      picture.up *= grown;
+    }
+    const bool gone = button("Remove", {ImGui::GetContentRegionAvail().x, 0});
+    ImGui::PopID();
+    if (gone) references.erase(references.begin() + std::ptrdiff_t(n--));
+  }
+  if (button("Add a picture…", {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::plain,
+             "A PNG, facing you as you look now.")) {
+    session.run(Command::reference);
   }
 }
 

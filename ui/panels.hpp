@@ -73,6 +73,7 @@ void strokeSection(Session& session);
 void symmetrySection(Session& session);
 void lightSection(Session& session);
 void viewSection(Session& session);
+void referenceSection(Session& session);
 void claySection(Session& session);
 void historySection(Session& session);
 void performanceSection(Session& session, const FrameFigures& figures);

@@ -142,6 +142,7 @@ ViewFrame Session::viewFrame() const {
   shown.stage = status_.stage;
   shown.look = options.look;
   shown.stereo = options.stereo;
+  shown.place = {0, 0, int(extent_.width), int(extent_.height)};
   shown.now = now_;
   shown.lastInput = lastInput_;
   shown.stroke = gesture_ == Gesture::stroke || status_.inStroke;

@@ -42,6 +42,8 @@ enum class Dialog {
   picture,
   windowPicture,
   turntable,
+  reference,
+  matcap,
   record,
   replay,
   unsaved,
@@ -122,6 +124,8 @@ class Session {
   void saveRecording(const std::filesystem::path& path);
   void replay(const std::filesystem::path& path);
   void takePicture(const PictureWish& wish);
+  void addReference(const std::filesystem::path& path);
+  void loadMatcap(const std::filesystem::path& path);
   void apply(const Operation& operation);
   void resample(double spacing);
   void showStructure(Structure structure);
@@ -192,6 +196,8 @@ class Session {
   void dragValues(glm::dvec2 by);
   void pickColour();
   void turnLight(glm::dvec2 by);
+  void dragBox(glm::dvec2 by);
+  std::optional<BoxOutline> boxOutline() const;
   void updateHover();
   void movedView(const ViewState& before);
   void moveToolDepth(double notches);
@@ -228,6 +234,7 @@ class Session {
   std::optional<HeldTool> heldTool_;
   std::optional<StrokeMaker> maker_;
   bool heldStroke_ = false;
+  std::optional<int> boxHandle_;  // under the pointer, or dragged
   std::vector<StrokePoint> points_;
 
   PatchSet patches_;

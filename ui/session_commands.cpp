@@ -94,6 +94,10 @@ Dialog dialogOf(Command command) {
       return Dialog::turntable;
     case Command::record:
       return Dialog::record;
+    case Command::reference:
+      return Dialog::reference;
+    case Command::loadMatcap:
+      return Dialog::matcap;
     case Command::replay:
       return Dialog::replay;
     case Command::showHelp:

@@ -174,6 +174,34 @@ void Session::takePicture(const PictureWish& wish) {
            [this, wish] { say(Message::Kind::note, "Saved " + wish.path.filename().string()); });
 }
 
+// Facing the viewer behind the target, half as high as the view.
+void Session::addReference(const fs::path& path) {
+  dialog = Dialog::none;
+  try {
+    ReferencePicture picture;
+    picture.image = std::make_shared<const Image>(readPng(path));
+    const double spacing = status_.scale.spacing;
+    const double half = unitsPerPixel(view, extent_, view.target) * extent_.height / 4 / spacing;
+    const double aspect = double(picture.image->width) / picture.image->height;
+    picture.centre = view.target / spacing;
+    picture.right = view.right() * (half * aspect);
+    picture.up = view.up() * half;
+    options.references.push_back(picture);
+  } catch (const Error& error) {
+    say(Message::Kind::error, error.what());
+  }
+}
+
+void Session::loadMatcap(const fs::path& path) {
+  dialog = Dialog::none;
+  try {
+    options.look.matcapImage = std::make_shared<const Image>(readPng(path));
+    options.look.mode = Mode::matcap;
+  } catch (const Error& error) {
+    say(Message::Kind::error, error.what());
+  }
+}
+
 // By what the first file is.
 void Session::drop(const std::vector<std::string>& paths) {
   if (paths.empty()) return;
@@ -184,7 +212,7 @@ void Session::drop(const std::vector<std::string>& paths) {
   } else if (kind == ".jsonl") {
     replay(path);
   } else if (kind == ".png") {
-    say(Message::Kind::note, "Pictures can be set as matcap in the look panel");
+    addReference(path);
   } else {
     ifSaved([this, path] { importMesh(path, 192); });
   }

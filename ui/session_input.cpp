@@ -32,6 +32,9 @@ void Session::updateHover() {
   const Ray ray = rayThrough(view, extent_, pointer_);
   hover_.ground = groundUnder(patches_, ray, status_.scale.spacing);
   hover_.air = onFacingPlane(view, ray, airPoint_.value_or(view.target));
+  if (gesture_ == Gesture::boxHandle) return;
+  boxHandle_.reset();
+  if (const auto box = boxOutline()) boxHandle_ = handleAt(shotOf(viewFrame()), *box, pointer_);
 }
 
 Gesture Session::gestureFor(Button button, Modifiers with) const {
@@ -42,6 +45,7 @@ Gesture Session::gestureFor(Button button, Modifiers with) const {
     if (with.shift) return Gesture::pan;
     return with.ctrl ? Gesture::zoom : Gesture::orbit;
   }
+  if (button == Button::left && boxHandle_) return Gesture::boxHandle;
   if (button == Button::left) {
     const bool turns = sculpt.emptyDrag == EmptyDrag::orbit && !onGround;
     return turns ? Gesture::orbit : Gesture::stroke;
@@ -97,6 +101,9 @@ void Session::dragTo(glm::dvec2 to) {
       break;
     case Gesture::light:
       turnLight(to - pointer_);
+      return;
+    case Gesture::boxHandle:
+      dragBox(to - pointer_);
       return;
     default:
       dragValues(to - pointer_);
@@ -180,6 +187,26 @@ bool Session::key(const Chord& chord, bool repeated) {
 }
 
 void Session::turnLight(glm::dvec2 by) { options.look.studio.turn += float(by.x * 0.01 / scale_); }
+
+// The side under the pointer follows it along its axis.
+void Session::dragBox(glm::dvec2 by) {
+  const auto outline = boxOutline();
+  if (!outline || !boxHandle_) return;
+  const double spacing = status_.scale.spacing;
+  WorkspaceBox box{outline->low * spacing, outline->high * spacing};
+  const int axis = *boxHandle_ / 2;
+  const bool high = *boxHandle_ % 2 == 1;
+  glm::dvec3 place = (box.low + box.high) / 2.0, step(0);
+  place[axis] = (high ? box.high : box.low)[axis];
+  step[axis] = unitsPerPixel(view, extent_, place);
+  const glm::dvec2 way = pixelOf(view, extent_, place + step) - pixelOf(view, extent_, place);
+  const double square = glm::dot(way, way);
+  if (square < 1e-4) return;
+  double& side = (high ? box.high : box.low)[axis];
+  side += step[axis] * glm::dot(by, way) / square;
+  side = high ? std::max(side, box.low[axis] + spacing) : std::min(side, box.high[axis] - spacing);
+  options.boxSize = box;
+}
 
 void Session::pickColour() {
   gesture_ = Gesture::none;

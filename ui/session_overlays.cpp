@@ -118,20 +118,27 @@ void Session::addTool(Overlays& overlays) const {
 }
 
 void Session::addStage(Overlays& overlays) const {
-  const double spacing = status_.scale.spacing;
   if (options.grid) {
     FloorGrid grid;
     grid.centre = {status_.stage.centre.x, status_.stage.floor, status_.stage.centre.z};
     grid.step = std::max(1.0, status_.stage.unit / 4);
     overlays.grid = grid;
   }
-  if (!options.box) return;
+  overlays.pictures = options.references;
+  overlays.box = boxOutline();
+}
+
+// The workspace box in cells, with handles where the pointer can take them.
+std::optional<BoxOutline> Session::boxOutline() const {
+  const double spacing = status_.scale.spacing;
+  const CellBounds& all = patches_.bounds();
+  if (!options.box || (!options.boxSize && all.empty())) return std::nullopt;
   BoxOutline box;
-  const CellBounds all = patches_.bounds();
   box.low = options.boxSize ? options.boxSize->low / spacing : all.low;
   box.high = options.boxSize ? options.boxSize->high / spacing : all.high;
-  if (!options.boxSize && all.empty()) return;
-  overlays.box = box;
+  box.handles = true;
+  box.active = boxHandle_;
+  return box;
 }
 
 }  // namespace bozzetto::ui

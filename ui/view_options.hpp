@@ -18,6 +18,8 @@ struct ViewOptions {
   bool grid = false;
   std::optional<Quality> quality;  ///< none: as the frames' times say
 
+  std::vector<ReferencePicture> references;
+
   bool box = false;
   std::optional<WorkspaceBox> boxSize;  ///< none: around the clay
 };
