@@ -101,13 +101,20 @@ void report(benchmark::State& state, const typename Studio<Side>::Counts& counts
   state.counters["worst_ms"] = counts.slowest * 1e3;
 }
 
+// What is done, and where.
+struct Job {
+  Ground ground;
+  ActionKind kind;
+  Colour colour;
+};
+
 // Time is per dab, undo included, the way back not.
 template <int Side>
-void wholeDab(benchmark::State& state, Ground ground, ActionKind kind, double radius, int threads) {
+void wholeDab(benchmark::State& state, const Job& job, double radius, int threads) {
   setThreadCount(threads);
-  Studio<Side>& studio = studioOf<Side>(ground);
+  Studio<Side>& studio = studioOf<Side>(job.ground);
   const Stroke path = strokes::onBall(radius);
-  const ActionOptions action = strokes::actionOf(kind);
+  const ActionOptions action{job.kind, workload::kStrength, job.colour};
   typename Studio<Side>::Counts counts;
   double dabs = 0;
   std::string hash;
@@ -195,18 +202,20 @@ void solid(benchmark::State& state, double radius) {
   }
 }
 
+constexpr Colour kSame = colourOf(scenes::kClay), kOther{200, 100, 60};
+
 template <int Side>
 void addDabs(double radius, int threads) {
-  rows::add(rows::nameOf("whole_dab", radius, Side, threads), wholeDab<Side>, Ground::ball,
-            ActionKind::add, radius, threads);
-  rows::add(rows::nameOf("whole_remove", radius, Side, threads), wholeDab<Side>, Ground::ball,
-            ActionKind::remove, radius, threads);
-  rows::add(rows::nameOf("whole_smooth", radius, Side, threads), wholeDab<Side>, Ground::ball,
-            ActionKind::smooth, radius, threads);
-  rows::add(rows::nameOf("dab_lonely", radius, Side, threads), wholeDab<Side>, Ground::empty,
-            ActionKind::add, radius, threads);
-  rows::add(rows::nameOf("dab_crowded", radius, Side, threads), wholeDab<Side>, Ground::crowded,
-            ActionKind::add, radius, threads);
+  const auto one = [&](const std::string& name, Ground ground, ActionKind kind, Colour colour) {
+    rows::add(rows::nameOf(name, radius, Side, threads), wholeDab<Side>, Job{ground, kind, colour},
+              radius, threads);
+  };
+  one("whole_dab", Ground::ball, ActionKind::add, kSame);
+  one("whole_dab_tinted", Ground::ball, ActionKind::add, kOther);
+  one("whole_remove", Ground::ball, ActionKind::remove, kSame);
+  one("whole_smooth", Ground::ball, ActionKind::smooth, kSame);
+  one("dab_lonely", Ground::empty, ActionKind::add, kSame);
+  one("dab_crowded", Ground::crowded, ActionKind::add, kSame);
 }
 
 // Gigabytes that are free; the largest solid needs them.

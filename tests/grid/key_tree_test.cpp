@@ -83,6 +83,21 @@ TEST(KeyTree, findSeesInsideRunsAndNotBeyond) {
   EXPECT_EQ(tree.find({0, 1, 0}), nullptr);
 }
 
+TEST(KeyTree, aNearNodeLeadsToWhereASearchLeads) {
+  std::mt19937 random(3);
+  const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  Tree tree;
+  for (int n = 0; n < 300; ++n)
+    tree.put({pick(2), pick(3), pick(90)}, 1 + pick(4), Number::shared(101 + pick(3)));
+  auto near = tree.end();
+  for (Key key{0, 0, -2}; key.i<2; key = key.k> 99 ? Key{key.i + (key.j > 2), (key.j + 1) % 4, -2}
+                                                   : key + Key{0, 0, 1 + pick(5)}) {
+    const auto expected = tree.from(key);
+    EXPECT_EQ(tree.from(key, near), expected) << toText(key);
+    near = expected;
+  }
+}
+
 TEST(KeyTree, runsReachTheRimOfTheKeys) {
   Tree tree;
   const std::int32_t rim = kWorkspaceRim / 8;
@@ -117,6 +132,45 @@ TEST(Edit, randomEditsUndoAndRedoToTheSameContent) {
     deltas[n].apply(tree, Direction::forward);
     ASSERT_EQ(contentOf(tree), states[n + 1]) << "redo of step " << n;
   }
+}
+
+TEST(Edit, replacingInOrderEqualsReplacingOneByOne) {
+  std::mt19937 random(13);
+  const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  Tree tree, twin;
+  for (int step = 0; step < 100; ++step) {
+    Edit<Number> edit(tree), other(twin);
+    if (pick(2) == 0) {
+      const KeyRun run{{0, pick(3), pick(30)}, 1 + pick(9)};
+      edit.replace(run, Number::shared(150));
+      other.replace(run, Number::shared(150));
+    }
+    Edit<Number>::Place place(edit);
+    for (Key key{0, 0, pick(8)};
+         key.j<3; key = key.k> 30 ? Key{0, key.j + 1, pick(8)} : key + Key{0, 0, 1 + pick(4)}) {
+      const Ref<Number> block = pick(3) == 0 ? nullptr : Number::shared(101 + pick(60));
+      edit.replace(key, block, place);
+      other.replace({key, 1}, block);
+    }
+    const auto delta = edit.commit(), expected = other.commit();
+    ASSERT_EQ(contentOf(tree), contentOf(twin));
+    ASSERT_EQ(tree.nodeCount(), twin.nodeCount());
+    ASSERT_EQ(delta.keys().size(), expected.keys().size());
+    ASSERT_EQ(tree.validate(), std::nullopt);
+    if (pick(3) != 0) continue;
+    delta.apply(tree, Direction::backward);
+    expected.apply(twin, Direction::backward);
+    ASSERT_EQ(contentOf(tree), contentOf(twin));
+  }
+}
+
+TEST(Edit, aBlockHandedOutToBeWrittenIsNotSettled) {
+  Tree tree;
+  Edit<Number> edit(tree);
+  Number& block = edit.write({0, 0, 0});
+  block.number = 7;
+  block.settled = true;
+  EXPECT_FALSE(edit.write({0, 0, 0}).settled);
 }
 
 TEST(Edit, writingWhatWasThereIsNoChange) {

@@ -114,6 +114,36 @@ TEST(SameResult, undoAndRedo) {
   }
 }
 
+// Bit j · 8 + k of slice i, from the corners themselves.
+CornerBits differing(const Change<CornerBlock<8>>& change) {
+  CornerBits corners{};
+  for (int n = 0; n < 512; ++n) {
+    const float before = change.before ? change.before->value[n] : 0;
+    const float after = change.after ? change.after->value[n] : 0;
+    const Attributes colourBefore = change.before ? change.before->attributes[n] : 0;
+    const Attributes colourAfter = change.after ? change.after->attributes[n] : 0;
+    const bool differs = before != after || colourBefore != colourAfter;
+    corners[n / 64] |= std::uint64_t{differs} << n % 64;
+  }
+  return corners;
+}
+
+TEST(SameResult, aDabKnowsWhichCornersItChanged) {
+  for (const bool scalar : {false, true}) {
+    forbidSimd(scalar);
+    for (int kind = 0; kind < 6; ++kind) {
+      Clay clay = clayBall<8>(20);
+      const ActionOptions action{static_cast<ActionKind>(kind), 0.4, kToolColour};
+      stroke(clay, ball(9), action, dabAt({15, 2, 9}));
+      const auto made = stroke(clay, ball(9), action, dabAt({14, 3, 8}));
+      ASSERT_EQ(made.delta.changes.size(), made.report.total.changed.size());
+      for (std::size_t n = 0; n < made.delta.changes.size(); ++n)
+        EXPECT_EQ(differing(made.delta.changes[n]), made.report.total.changed[n].corners) << kind;
+    }
+  }
+  forbidSimd(false);
+}
+
 TEST(SameResult, dirtiedKeysAreThoseOfTheDelta) {
   Clay clay = clayBall<8>(20);
   const auto made =
