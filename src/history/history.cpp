@@ -58,7 +58,7 @@ const StepTree& History<Side>::tree() const {
 }
 
 template <int Side>
-std::vector<Step> History<Side>::steps() {
+std::vector<Step> History<Side>::steps() const {
   state_->takeNews();
   return tree().steps();
 }

@@ -1,4 +1,4 @@
-// undo and redo in JSON.
+// undo, redo and goto in JSON.
 #include "sculptor/operation_format.hpp"
 
 namespace bozzetto {
@@ -12,14 +12,22 @@ int readCount(JsonObject& object) {
 
 UndoOperation readUndo(JsonObject& object) { return {readCount(object)}; }
 RedoOperation readRedo(JsonObject& object) { return {readCount(object)}; }
+GoToOperation readGoTo(JsonObject& object) {
+  object.required("step");
+  const int step = object.integer("step", 0);
+  if (step < 0) object.fail("step", "the number of a step");
+  return {static_cast<StepNumber>(step)};
+}
 Json writeUndo(const UndoOperation& undo) { return {{"count", undo.count}}; }
 Json writeRedo(const RedoOperation& redo) { return {{"count", redo.count}}; }
+Json writeGoTo(const GoToOperation& goTo) { return {{"step", goTo.step}}; }
 
 }  // namespace
 
 std::span<const OperationFormat> historyFormats() {
   static constexpr OperationFormat kFormats[] = {formatOf<readUndo, writeUndo>("undo"),
-                                                 formatOf<readRedo, writeRedo>("redo")};
+                                                 formatOf<readRedo, writeRedo>("redo"),
+                                                 formatOf<readGoTo, writeGoTo>("goto")};
   return kFormats;
 }
 

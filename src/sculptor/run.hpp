@@ -29,6 +29,8 @@ template <int Side>
 void run(const UndoOperation& operation, Workbench<Side>& bench, const Telling& telling);
 template <int Side>
 void run(const RedoOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const GoToOperation& operation, Workbench<Side>& bench, const Telling& telling);
 
 template <int Side>
 void run(const SolidOperation& operation, Workbench<Side>& bench, const Telling& telling);

@@ -13,7 +13,7 @@ void run(const SceneOperation& operation, Workbench<Side>& bench, const Telling&
   FieldScale scale = bench.field().scale;
   if (operation.spacing) scale.spacing = *operation.spacing;
   if (operation.iso) scale.iso = static_cast<float>(*operation.iso);
-  const bool begun = !bench.field().tree.empty() || !bench.history().steps().empty();
+  const bool begun = !bench.field().tree.empty() || bench.history().tree().size() > 0;
   if (begun && !(scale == bench.field().scale)) {
     throw Error(fmt::format(
         "scene: the clay has spacing {} and iso {}; spacing {} and iso {} need an empty document "

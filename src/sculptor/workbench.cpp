@@ -42,8 +42,11 @@ ToolShape Hand::tool(double spacing) const {
 }
 
 template <int Side>
-Workbench<Side>::Workbench(Field<Side> field, SurfaceUpkeep upkeep)
-    : field_(std::move(field)), upkeep_(upkeep), massUnits_(massUnits(field_)) {
+Workbench<Side>::Workbench(Field<Side> field, History<Side> history, SurfaceUpkeep upkeep)
+    : field_(std::move(field)),
+      history_(std::move(history)),
+      upkeep_(upkeep),
+      massUnits_(massUnits(field_)) {
   showAll();
 }
 
@@ -56,18 +59,26 @@ double Workbench<Side>::mass() const {
 template <int Side>
 void Workbench<Side>::keep(Edit<Block>& edit, const FieldScale& scale, OperationReport& report) {
   const FieldScale before = field_.scale;
-  Delta<Block> delta;
+  std::shared_ptr<const Delta<Block>> delta;
   {
     const Timer timer(report.msHistory);
-    delta = edit.commit();
-    report.changedBlocks = delta.changes.size();
-    account(delta, Direction::forward);
+    delta = std::make_shared<const Delta<Block>>(edit.commit());
+    report.changedBlocks = delta->changes.size();
+    account(*delta);
   }
   field_.scale = scale;
-  if (!std::exchange(followed_, false)) show(delta, report);
+  if (!std::exchange(followed_, false)) show(*delta, report);
+  Bytes picture = takePicture ? takePicture() : Bytes();
   const Timer timer(report.msHistory);
-  history_.push(std::move(delta), {report.op, before, scale, solid_, nextSolid_});
+  rememberSolid(history_.push(std::move(delta), {report.op, before, scale}, std::move(picture)));
+}
+
+template <int Side>
+void Workbench<Side>::rememberSolid(StepNumber step) {
   solid_ = nextSolid_;
+  if (!solid_) return;
+  std::erase_if(solids_, [&](const auto& each) { return !history_.tree().has(each.first); });
+  solids_[step] = solid_;
 }
 
 template <int Side>
@@ -120,32 +131,29 @@ void Workbench<Side>::note(std::span<const Run> changed, const RefreshReport& re
 }
 
 template <int Side>
-bool Workbench<Side>::revisit(Direction direction, OperationReport& report) {
-  const bool forward = direction == Direction::forward;
-  if (forward ? !history_.canRedo() : !history_.canUndo()) return false;
-  const typename History::Step* step = nullptr;
+std::string Workbench<Side>::goTo(StepNumber state, OperationReport& report) {
+  typename History<Side>::Journey journey;
   {
     const Timer timer(report.msHistory);
-    step = forward ? &history_.redo(field_.tree) : &history_.undo(field_.tree);
+    journey = history_.goTo(state, field_.tree, field_.scale);
+    account(*journey.delta);
   }
-  field_.scale = forward ? step->note.after : step->note.before;
-  solid_ = nextSolid_ = forward ? step->note.solidAfter : step->note.solidBefore;
-  account(step->delta, direction);
-  report.changedBlocks += step->delta.changes.size();
-  show(step->delta, report);
-  return true;
+  field_.scale = journey.scale;
+  const auto solid = solids_.find(history_.place());
+  solid_ = nextSolid_ = solid == solids_.end() ? nullptr : solid->second;
+  report.changedBlocks += journey.delta->changes.size();
+  show(*journey.delta, report);
+  return journey.trouble;
 }
 
 // Keeps the ledger: exact, whatever the order of changes.
 template <int Side>
-void Workbench<Side>::account(const Delta<Block>& delta, Direction direction) {
-  MassSum gained = 0;
+void Workbench<Side>::account(const Delta<Block>& delta) {
   for (const auto& change : delta.changes) {
     const MassSum after = change.after ? change.after->mass : 0;
     const MassSum before = change.before ? change.before->mass : 0;
-    gained += (after - before) * change.length;
+    massUnits_ += (after - before) * change.length;
   }
-  massUnits_ += direction == Direction::forward ? gained : -gained;
 }
 
 template class Workbench<1>;

@@ -6,7 +6,7 @@
 #include <map>
 #include <span>
 
-#include "bozzetto/history/undo_stack.hpp"
+#include "bozzetto/history/history.hpp"
 #include "bozzetto/surface/surface.hpp"
 #include "bozzetto/tool/fill.hpp"
 #include "rows.hpp"
@@ -27,7 +27,7 @@ struct Studio {
 
   Field<Side> field;
   Surface<Side> surface;
-  UndoStack<Block, int> undo;
+  History<Side> undo;
 
   // The sums of a stroke.
   struct Counts {
@@ -66,13 +66,17 @@ struct Studio {
       counts.examined += refreshed.examined;
       counts.meshed += refreshed.meshed;
     }
-    undo.push(edit.commit(), 0);
+    undo.push(std::make_shared<const Delta<Block>>(edit.commit()), {"stroke", {}, {}});
     return seconds() - start;
   }
 
   void takeBack() {
-    surface.refresh(field, undo.undo(field.tree).delta);
-    undo.clear();
+    goTo(0);
+    undo = History<Side>();
+  }
+
+  void goTo(StepNumber state) {
+    surface.refresh(field, *undo.goTo(state, field.tree, field.scale).delta);
   }
 };
 
@@ -139,8 +143,8 @@ void undoStroke(benchmark::State& state, double radius, int threads) {
                 strokes::onBall(radius), counts);
   for (auto _ : state) {
     const double start = studio.seconds();
-    studio.surface.refresh(studio.field, studio.undo.undo(studio.field.tree).delta);
-    studio.surface.refresh(studio.field, studio.undo.redo(studio.field.tree).delta);
+    studio.goTo(0);
+    studio.goTo(1);
     state.SetIterationTime((studio.seconds() - start) / 2);
   }
   state.SetLabel(scenes::hashOf(studio.field));

@@ -50,7 +50,7 @@ class History {
   std::size_t undoDepth() const { return tree().undoDepth(); }
   std::size_t redoDepth() const { return tree().redoDepth(); }
   /// All steps in the order in which they were made.
-  std::vector<Step> steps();
+  std::vector<Step> steps() const;
   /// A step's picture, or nothing.
   Bytes thumbnail(StepNumber step) const;
 

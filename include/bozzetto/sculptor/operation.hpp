@@ -49,15 +49,20 @@ struct RedoOperation {
   int count = 1;
 };
 
+/// To any state of the history, on whatever branch; 0 is the one before the first step.
+struct GoToOperation {
+  StepNumber step = 0;
+};
+
 /// The same clay on another grid.
 struct ResampleOperation {
   double spacing = 1;
 };
 
 using Operation = std::variant<SceneOperation, FillOperation, ToolOperation, ActionOperation,
-                               StrokeOperation, UndoOperation, RedoOperation, ResampleOperation,
-                               SolidOperation, SolidMoveOperation, BakeOperation, WrapOperation,
-                               WrapApplyOperation, SolidDropOperation, ClayOperation,
+                               StrokeOperation, UndoOperation, RedoOperation, GoToOperation,
+                               ResampleOperation, SolidOperation, SolidMoveOperation, BakeOperation,
+                               WrapOperation, WrapApplyOperation, SolidDropOperation, ClayOperation,
                                RelaxOperation, SupportOperation, HoldOperation, ReleaseOperation>;
 
 /// The "op" of an operation: "scene", "fill", …

@@ -13,10 +13,11 @@ namespace bozzetto {
 template <int Side>
 class BasicSculptor {
  public:
-  using History = typename Workbench<Side>::History;
-
+  /// With a history in memory only.
   explicit BasicSculptor(Field<Side> field = {}, SurfaceUpkeep upkeep = SurfaceUpkeep::none)
-      : bench_(std::move(field), upkeep) {}
+      : bench_(std::move(field), History<Side>(), upkeep) {}
+  BasicSculptor(Field<Side> field, History<Side> history, SurfaceUpkeep upkeep)
+      : bench_(std::move(field), std::move(history), upkeep) {}
 
   /// Does one operation. Throws Error and changes nothing when it cannot be done; notices (a
   /// widened tool, what a resample will need) go to `progress` first.
@@ -32,7 +33,11 @@ class BasicSculptor {
   const SolidRef& solid() const { return bench_.solid(); }
 
   const Field<Side>& field() const { return bench_.field(); }
-  const History& history() const { return bench_.history(); }
+  /// All steps, with labels, times and branches; where we are; what is on the disk.
+  const History<Side>& history() const { return bench_.history(); }
+  History<Side>& history() { return bench_.history(); }
+  /// Who can draw a small picture (PNG) of the clay as it is: each step gets one.
+  void setPictureTaker(std::function<Bytes()> take) { bench_.takePicture = std::move(take); }
   /// The tool of the next stroke; as long as nobody chose one, a ball of 8 cells.
   ToolShape tool() const { return bench_.hand.tool(field().scale.spacing); }
   const ActionOptions& action() const { return bench_.hand.action; }

@@ -1,6 +1,8 @@
 // What operations work on: the clay with its surface, its history and its ledger, and what the
 // sculptor holds in the hand. Operations change the clay through an Edit and `keep` it.
 #pragma once
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,7 +10,7 @@
 
 #include "bozzetto/clay/stroke.hpp"
 #include "bozzetto/field/field.hpp"
-#include "bozzetto/history/undo_stack.hpp"
+#include "bozzetto/history/history.hpp"
 #include "bozzetto/sculptor/report.hpp"
 #include "bozzetto/solid/solid.hpp"
 #include "bozzetto/surface/surface.hpp"
@@ -42,18 +44,13 @@ class Workbench {
  public:
   using Block = CornerBlock<Side>;
   using Tree = typename Field<Side>::Tree;
-  /// What a step of history knows beside its delta.
-  struct StepNote {
-    std::string label;
-    FieldScale before, after;
-    SolidRef solidBefore, solidAfter;
-  };
-  using History = UndoStack<Block, StepNote>;
 
-  Workbench(Field<Side> field, SurfaceUpkeep upkeep);
+  /// `history` is the field's own: of a document that was opened, or a new one.
+  Workbench(Field<Side> field, History<Side> history, SurfaceUpkeep upkeep);
 
   const Field<Side>& field() const { return field_; }
-  const History& history() const { return history_; }
+  History<Side>& history() { return history_; }
+  const History<Side>& history() const { return history_; }
   const Surface<Side>& surface() const { return surface_; }  ///< needs upkeep
   /// Since the last call. Needs upkeep; empty without.
   SurfaceChanges takeChanges();
@@ -81,20 +78,26 @@ class Workbench {
   bool shows() const { return upkeep_ == SurfaceUpkeep::afterEachDab; }
   /// Makes the surface anew, after a rollback.
   void showAll();
-  /// One step back or forth; nothing when there is none. True when there was one.
-  bool revisit(Direction direction, OperationReport& report);
+  /// Goes to another state of the history. Throws Error for one that is not in it; returns what
+  /// was lost on the way, empty as a rule.
+  std::string goTo(StepNumber state, OperationReport& report);
+
+  /// A PNG of the clay as it is now, asked for at the end of every step where somebody set it.
+  std::function<Bytes()> takePicture;
 
  private:
-  void account(const Delta<Block>& delta, Direction direction);
   void show(const Delta<Block>& delta, OperationReport& report);
   template <class Run>
   void note(std::span<const Run> changed, const RefreshReport& report);
+  void account(const Delta<Block>& delta);
+  void rememberSolid(StepNumber step);
 
   Field<Side> field_;
   Surface<Side> surface_;
   SurfaceChanges changes_;
-  History history_;
+  History<Side> history_;
   SolidRef solid_, nextSolid_;
+  std::map<StepNumber, SolidRef> solids_;  // of the states that have one
   SurfaceUpkeep upkeep_;
   bool followed_ = false;  // the surface has followed the present edit
   MassSum massUnits_ = 0;
