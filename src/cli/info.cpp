@@ -7,6 +7,7 @@
 #include "bozzetto/base/hash.hpp"
 #include "bozzetto/mesh/check.hpp"
 #include "bozzetto/scene/scene_file.hpp"
+#include "bozzetto/sculptor/session.hpp"
 #include "bozzetto/surface/statistics.hpp"
 #include "bozzetto/surface/welded.hpp"
 #include "cli/progress_bar.hpp"
@@ -22,6 +23,10 @@ Json listOf(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 Json boundsOf(const MeshReport& mesh) {
   if (mesh.bounds.empty) return nullptr;
   return {{"min", listOf(mesh.bounds.min)}, {"max", listOf(mesh.bounds.max)}};
+}
+
+std::size_t historySteps(const std::string& path) {
+  return Session::look(path).sculptor().history().tree().size();
 }
 
 Json describe(const std::string& path, const Document& document) {
@@ -47,7 +52,7 @@ Json describe(const std::string& path, const Document& document) {
           {"field_hash", hexDigits(fieldHash(clay))},
           {"bytes_memory", matter.bytes + surface.bytes()},
           {"bytes_file", std::filesystem::file_size(path)},
-          {"history_steps", 0},
+          {"history_steps", historySteps(path)},
           {"bytes_thumbnail", document.parts.thumbnail.size()}};
 }
 

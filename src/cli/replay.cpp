@@ -9,6 +9,7 @@
 #include "bozzetto/scene/scene_file.hpp"
 #include "bozzetto/sculptor/recording.hpp"
 #include "bozzetto/sculptor/replay.hpp"
+#include "bozzetto/sculptor/session.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/subcommands.hpp"
 
@@ -18,7 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Arguments {
-  std::string recording, from, out, stats;
+  std::string recording, from, out, on, stats;
+  bool create = false;
   int threads = 0;
   double spacing = 0;
 };
@@ -47,20 +49,53 @@ void writeStatistics(const std::string& path, const std::vector<OperationReport>
   writeFile(path, std::as_bytes(std::span(text)));
 }
 
+SurfaceUpkeep upkeepFor(const Arguments& arguments) {
+  return arguments.stats.empty() ? SurfaceUpkeep::none : SurfaceUpkeep::afterEachDab;
+}
+
+std::vector<OperationReport> replayToFile(const Arguments& arguments, const Recording& recording,
+                                          Progress& progress) {
+  Document document;
+  if (!arguments.from.empty()) document = asCopy(loadScene(arguments.from, progress));
+  ReplayOptions options;
+  options.upkeep = upkeepFor(arguments);
+  if (arguments.spacing != 0) options.spacing = arguments.spacing;
+  ReplayResult result = replay(recording, document.field, options, progress);
+  document.field = std::move(result.field);
+  document.parts.thumbnail = thumbnailOf(document.field);
+  saveScene(arguments.out, document, progress);
+  return std::move(result.reports);
+}
+
+// Says of every operation when it is on the disk.
+std::vector<OperationReport> replayInPlace(const Arguments& arguments, const Recording& recording,
+                                           ProgressBar& progress) {
+  SessionOptions options;
+  options.upkeep = upkeepFor(arguments);
+  Session session = arguments.create ? Session::create(arguments.on, options)
+                                     : Session::open(arguments.on, options, progress);
+  for (const std::string& notice : session.findings().notices) progress.note(notice);
+  if (session.findings().readOnly) {
+    throw Error(arguments.on + ": another program has it open, or its history cannot be written");
+  }
+  const auto tell = [&](std::size_t number) {
+    session.sculptor().history().waitDurable();
+    fmt::print("done {}\n", number);
+    std::fflush(stdout);
+  };
+  auto reports = replay(recording, session.sculptor(), progress, tell);
+  session.parts.thumbnail = thumbnailOf(session.sculptor().field());
+  session.save(progress);
+  return reports;
+}
+
 void run(const Arguments& arguments) {
   setThreadCount(arguments.threads);
   const Recording recording = readRecording(arguments.recording);
   ProgressBar progress;
-  Document document;
-  if (!arguments.from.empty()) document = loadScene(arguments.from, progress);
-  ReplayOptions options;
-  options.upkeep = arguments.stats.empty() ? SurfaceUpkeep::none : SurfaceUpkeep::afterEachDab;
-  if (arguments.spacing != 0) options.spacing = arguments.spacing;
-  const ReplayResult result = replay(recording, document.field, options, progress);
-  document.field = result.field;
-  document.parts.thumbnail = thumbnailOf(document.field);
-  saveScene(arguments.out, document, progress);
-  if (!arguments.stats.empty()) writeStatistics(arguments.stats, result.reports);
+  const auto reports = arguments.on.empty() ? replayToFile(arguments, recording, progress)
+                                            : replayInPlace(arguments, recording, progress);
+  if (!arguments.stats.empty()) writeStatistics(arguments.stats, reports);
 }
 
 }  // namespace
@@ -69,16 +104,25 @@ void addReplay(CLI::App& app) {
   CLI::App* command = app.add_subcommand("replay", "Does what a recording says");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("recording", arguments->recording, "JSON Lines")->required();
-  command->add_option("--from", arguments->from, "The scene to start from; empty without");
-  command->add_option("-o,--out", arguments->out, "The scene to write")->required();
+  auto* from =
+      command->add_option("--from", arguments->from, "The scene to start from; empty without");
+  auto* out = command->add_option("-o,--out", arguments->out, "The scene to write");
+  auto* on = command->add_option("--on", arguments->on,
+                                 "Instead: the scene to work on in place, with its history");
+  on->excludes(from)->excludes(out);
+  command->add_flag("--new", arguments->create, "The scene of --on is not there yet")->needs(on);
   command->add_option("--threads", arguments->threads, "As many as the machine has without")
       ->check(CLI::Range(0, 1024));
   command
       ->add_option("--spacing", arguments->spacing,
                    "Replay on another grid, finer or coarser: world units per cell")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::PositiveNumber)
+      ->excludes(on);
   command->add_option("--stats", arguments->stats, "Counts and times of every operation, JSON");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments, out, on] {
+    if (out->empty() && on->empty()) throw CLI::RequiredError("--out or --on");
+    run(*arguments);
+  });
 }
 
 }  // namespace bozzetto::cli

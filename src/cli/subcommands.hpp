@@ -6,8 +6,10 @@ namespace bozzetto::cli {
 
 void addCheck(CLI::App& app);
 void addExport(CLI::App& app);
+void addHistory(CLI::App& app);
 void addImport(CLI::App& app);
 void addInfo(CLI::App& app);
+void addRecover(CLI::App& app);
 void addRender(CLI::App& app);
 void addReplay(CLI::App& app);
 

@@ -139,6 +139,11 @@ bool History<Side>::onDisk() const {
 }
 
 template <int Side>
+std::filesystem::path History<Side>::folder() const {
+  return state_->parts.folder;
+}
+
+template <int Side>
 HistoryPlace History<Side>::savePlace() const {
   return state_->now();
 }

@@ -44,16 +44,9 @@ class Part : public Progress {
 
 }  // namespace
 
-ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOptions& options,
-                    Progress& progress) {
-  Clay start = from;
-  Recording recording = recorded;
-  if (options.spacing) {
-    recording = rescaled(std::move(recording), *options.spacing / recordedSpacing(recorded, from));
-    start = resample(from, *options.spacing, {}, progress);
-  }
-  Sculptor sculptor(std::move(start), options.upkeep);
-
+std::vector<OperationReport> replay(const Recording& recording, Sculptor& sculptor,
+                                    Progress& progress,
+                                    const std::function<void(std::size_t)>& done) {
   std::vector<OperationReport> reports;
   const std::size_t count = recording.operations.size();
   for (std::size_t n = 0; n < count; ++n) {
@@ -66,7 +59,22 @@ ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOpt
     } catch (const Error& error) {
       throw Error("operation " + std::to_string(n + 1) + ": " + error.what());
     }
+    if (done) done(n + 1);
   }
+  return reports;
+}
+
+ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOptions& options,
+                    Progress& progress) {
+  Clay start = from;
+  Recording recording = recorded;
+  if (options.spacing) {
+    recording = rescaled(std::move(recording), *options.spacing / recordedSpacing(recorded, from));
+    start = resample(from, *options.spacing, {}, progress);
+  }
+  Sculptor sculptor(std::move(start), options.upkeep);
+
+  auto reports = replay(recording, sculptor, progress);
   return {sculptor.field(), std::move(reports)};
 }
 

@@ -73,7 +73,10 @@ class History {
 
   // On the disk.
 
+  /// Whether steps are written.
   bool onDisk() const;
+  /// Where undo-files are; empty in memory.
+  std::filesystem::path folder() const;
   /// What a document that is saved now should remember.
   HistoryPlace savePlace() const;
   /// The document on the disk holds this place now: recovery can start from it.

@@ -1,5 +1,6 @@
 // Replaying a recording from start to end, on its own grid or another.
 #pragma once
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,11 @@ struct ReplayResult {
 /// Throws Error naming the operation (counted from 1) that cannot be done.
 ReplayResult replay(const Recording& recording, const Clay& from, const ReplayOptions& options = {},
                     Progress& progress = Progress::none());
+
+/// On a sculptor that is there already; `done` is called after each operation with its number.
+std::vector<OperationReport> replay(const Recording& recording, Sculptor& sculptor,
+                                    Progress& progress = Progress::none(),
+                                    const std::function<void(std::size_t)>& done = {});
 
 /// Sums of counts and times; mass before the first and after the last.
 OperationReport totalOf(const std::vector<OperationReport>& reports);

@@ -1,0 +1,25 @@
+// Histories as a whole: copied to where a document goes under another name, removed, looked at.
+#pragma once
+#include <filesystem>
+
+#include "bozzetto/history/history.hpp"
+
+namespace bozzetto {
+
+/// Puts the undo-files of all steps and the checkpoints into another folder, which is made, and
+/// keeps what was there under the name FOLDER~. The history must be durable. In memory: nothing to
+/// copy. Throws FileError; Error when somebody has the other folder locked.
+template <int Side>
+void copyHistory(const History<Side>& history, const std::filesystem::path& folder,
+                 FileSystem& files = FileSystem::real());
+
+extern template void copyHistory(const History<1>&, const std::filesystem::path&, FileSystem&);
+extern template void copyHistory(const History<8>&, const std::filesystem::path&, FileSystem&);
+
+/// Removes a folder that holds a history and nothing else. What cannot be removed stays.
+void removeHistory(const std::filesystem::path& folder, FileSystem& files = FileSystem::real());
+
+/// Whether somebody writes there now.
+bool historyIsLocked(const std::filesystem::path& folder, FileSystem& files = FileSystem::real());
+
+}  // namespace bozzetto

@@ -1,0 +1,201 @@
+#include "bozzetto/sculptor/session.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "bozzetto/history/copy.hpp"
+
+namespace bozzetto {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kPlaceSetting = "history";
+constexpr const char* kEnding = ".history";
+
+// $XDG_STATE_HOME/bozzetto, where documents without a name live.
+fs::path stateFolder() {
+  const char* state = std::getenv("XDG_STATE_HOME");
+  if (state != nullptr && fs::path(state).is_absolute()) return fs::path(state) / "bozzetto";
+  const char* home = std::getenv("HOME");
+  if (home == nullptr || !fs::path(home).is_absolute())
+    throw Error("no place for documents without a name: neither XDG_STATE_HOME nor HOME is set");
+  return fs::path(home) / ".local" / "state" / "bozzetto";
+}
+
+HistoryPlace takePlace(SceneParts& parts) {
+  const auto setting = parts.settings.find(kPlaceSetting);
+  if (setting == parts.settings.end()) return kUnknownPlace;
+  const auto place = HistoryPlace::parse(setting->second);
+  parts.settings.erase(setting);
+  return place.value_or(kUnknownPlace);
+}
+
+HistoryFolder folderFor(const fs::path& scene, const SceneParts& parts, FileSystem& files) {
+  return {historyFolderOf(scene), parts.identity.bytes, &files};
+}
+
+}  // namespace
+
+fs::path historyFolderOf(const fs::path& scene) { return scene.string() + kEnding; }
+
+Document asCopy(Document document) {
+  document.parts.identity = SceneIdentity::random();
+  document.parts.settings.erase(kPlaceSetting);
+  return document;
+}
+
+/// What there was to open.
+struct Session::Opened {
+  OpenedHistory<8> history;
+  SceneParts parts;
+  SceneFile file;
+};
+
+Session::Session(fs::path path, Opened opened, const SessionOptions& options)
+    : parts(std::move(opened.parts)),
+      path_(std::move(path)),
+      options_(options),
+      findings_{opened.history.recovered, opened.history.unsavedSteps, opened.history.time,
+                opened.history.readOnly, std::move(opened.history.notices)},
+      file_(std::move(opened.file)),
+      savedParts_(parts),
+      sculptor_(std::move(opened.history.field), std::move(opened.history.history),
+                options.upkeep) {}
+
+Session Session::begin(const fs::path& scene, HistoryAccess access, const SessionOptions& options,
+                       Progress& progress) {
+  FileSystem& files = *options.files;
+  std::optional<SavedScene<8>> saved;
+  SceneParts parts;
+  SceneFile file(files);
+  std::vector<std::string> notices;
+  try {
+    Document document = file.load(scene, progress);
+    parts = std::move(document.parts);
+    const HistoryPlace place = takePlace(parts);
+    saved = SavedScene<8>{std::move(document.field), place};
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    const auto identity = identityOf(historyFolderOf(scene), files);
+    if (!identity) throw;
+    if (files.info(scene)) notices.push_back(error.what());
+    parts.identity.bytes = *identity;
+  }
+  const HistoryFolder folder = folderFor(scene, parts, files);
+  OpenedHistory<8> opened;
+  try {
+    opened = openHistory<8>(folder, saved, access, options.limits);
+  } catch (const FileError& error) {
+    if (access == HistoryAccess::read) throw;
+    opened = openHistory<8>(folder, saved, HistoryAccess::read, options.limits);
+    opened.readOnly = true;
+    notices.push_back(error.what());
+  }
+  opened.notices.insert(opened.notices.begin(), notices.begin(), notices.end());
+  return {scene, Opened{std::move(opened), std::move(parts), std::move(file)}, options};
+}
+
+Session Session::open(const fs::path& scene, const SessionOptions& options, Progress& progress) {
+  return begin(scene, HistoryAccess::write, options, progress);
+}
+
+Session Session::look(const fs::path& scene, const SessionOptions& options, Progress& progress) {
+  return begin(scene, HistoryAccess::read, options, progress);
+}
+
+Session Session::create(const fs::path& scene, const SessionOptions& options) {
+  FileSystem& files = *options.files;
+  SceneParts parts;
+  fs::path path = scene;
+  if (scene.empty()) {
+    std::error_code ignored;  // what is wrong shows at once
+    fs::create_directories(stateFolder().parent_path(), ignored);
+    files.makePrivateFolder(stateFolder());
+    path = stateFolder() / (parts.identity.text() + ".bzt");
+  }
+  if (files.info(path)) throw Error(path.string() + ": exists already");
+  OpenedHistory<8> opened =
+      openHistory<8>(folderFor(path, parts, files), {}, HistoryAccess::write, options.limits);
+  if (opened.readOnly) throw Error(path.string() + ": another program has it open");
+  Session session(path, Opened{std::move(opened), std::move(parts), SceneFile(files)}, options);
+  session.named_ = !scene.empty();
+  return session;
+}
+
+std::vector<fs::path> Session::leftBehind(FileSystem& files) {
+  std::vector<fs::path> scenes;
+  std::vector<std::string> names;
+  try {
+    names = files.list(stateFolder());
+  } catch (const Error&) {
+  }
+  for (const std::string& name : names) {
+    if (!name.ends_with(kEnding)) continue;
+    const fs::path folder = stateFolder() / name;
+    if (!identityOf(folder, files) || historyIsLocked(folder, files)) continue;
+    scenes.push_back(stateFolder() / name.substr(0, name.size() - std::string(kEnding).size()));
+  }
+  return scenes;
+}
+
+Document Session::document() const {
+  Document document{sculptor_.field(), parts};
+  document.parts.settings[kPlaceSetting] = sculptor_.history().savePlace().text();
+  return document;
+}
+
+// A new document in which nothing has happened yet.
+bool Session::untouched() const {
+  const StepTree& tree = sculptor_.history().tree();
+  return tree.size() == 0 && tree.root() == 0 && sculptor_.field().tree.empty();
+}
+
+bool Session::saved() const {
+  return parts == savedParts_ && (sculptor_.history().atSaved() || untouched());
+}
+
+void Session::markSaved(const Document& document) {
+  savedParts_ = document.parts;
+  sculptor_.history().markSaved(takePlace(savedParts_));
+}
+
+SaveReport Session::save(Progress& progress) {
+  if (!named_) throw Error("the document has no name yet");
+  if (findings_.readOnly) {
+    throw Error(path_.string() + ": open elsewhere or not writable; save under another name");
+  }
+  const Document now = document();
+  const SaveReport report = file_.save(path_, now, progress);
+  markSaved(now);
+  return report;
+}
+
+SaveReport Session::saveAs(const fs::path& scene, Progress& progress) {
+  const Document now = document();
+  const SaveReport report = file_.save(scene, now, progress);
+  const fs::path old = path_;
+  const bool wasNamed = named_;
+  path_ = scene;
+  named_ = true;
+  findings_.readOnly = false;
+  if (old != scene) bringHistoryTo(historyFolderOf(scene), now);
+  markSaved(now);
+  if (!wasNamed) removeHistory(historyFolderOf(old), *options_.files);
+  return report;
+}
+
+// Copies the undo-files and goes on writing there.
+void Session::bringHistoryTo(const fs::path& folder, const Document& document) {
+  History<8>& history = sculptor_.history();
+  history.waitDurable();
+  copyHistory(history, folder, *options_.files);
+  SceneParts copy = document.parts;
+  const SavedScene<8> saved{document.field, takePlace(copy)};
+  const HistoryFolder there{folder, copy.identity.bytes, options_.files};
+  OpenedHistory<8> opened = openHistory<8>(there, saved, HistoryAccess::write, options_.limits);
+  if (opened.readOnly) throw Error(folder.string() + ": another program has it open");
+  history = std::move(opened.history);
+}
+
+}  // namespace bozzetto
