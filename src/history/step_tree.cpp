@@ -42,17 +42,12 @@ std::vector<Step> StepTree::steps() const {
   return steps;
 }
 
-std::size_t StepTree::undoDepth() const {
-  std::size_t depth = 0;
-  for (StepNumber state = place_; state != root_; state = find(state)->parent) ++depth;
-  return depth;
+std::size_t StepTree::depthOf(StepNumber state) const {
+  return state == root_ ? rootDepth_ : nodes_.at(state).depth;
 }
 
-std::size_t StepTree::redoDepth() const {
-  std::size_t depth = 0;
-  for (StepNumber state = tip_; state != place_; state = find(state)->parent) ++depth;
-  return depth;
-}
+std::size_t StepTree::undoDepth() const { return depthOf(place_) - rootDepth_; }
+std::size_t StepTree::redoDepth() const { return depthOf(tip_) - depthOf(place_); }
 
 StepNumber StepTree::undoTarget(std::size_t count) const {
   StepNumber state = place_;
@@ -87,7 +82,9 @@ void StepTree::add(Step step) {
   const StepNumber number = step.number, parent = step.parent;
   (parent == root_ ? rootChildren_ : nodes_.at(parent).children).push_back(number);
   writtenBytes_ += step.bytes;
-  nodes_[number].step = std::move(step);
+  Node& node = nodes_[number];
+  node.step = std::move(step);
+  node.depth = depthOf(parent) + 1;
 }
 
 void StepTree::moveTo(StepNumber state) {
@@ -151,6 +148,7 @@ StepNumber StepTree::drop(StepNumber number) {
   rootMark_ = node.step.mark;
   rootChildren_ = std::move(node.children);
   rootNext_ = node.next;
+  rootDepth_ = node.depth;
   erase(number);
   return gone;
 }
@@ -172,6 +170,7 @@ std::vector<StepNumber> StepTree::cut(StepNumber number) {
     rootMark_ = top.step.mark;
     rootChildren_ = top.children;
     rootNext_ = top.next;
+    rootDepth_ = top.depth;
   } else {
     gone.assign(below.begin(), below.end());
     forgetChild(nodes_.at(number).step.parent, number);
@@ -189,7 +188,8 @@ std::optional<std::string> StepTree::validate() const {
     children += node.children.size();
     const auto& siblings = has(node.step.parent) ? childrenOf(node.step.parent) : rootChildren_;
     const bool listed = std::ranges::count(siblings, number) == 1;
-    if (node.step.number != number || node.step.parent >= number || !listed)
+    const bool deeper = has(node.step.parent) && node.depth == depthOf(node.step.parent) + 1;
+    if (node.step.number != number || node.step.parent >= number || !listed || !deeper)
       return "step " + std::to_string(number) + " is not its parent's child";
   }
   if (children != nodes_.size()) return "children that are no steps";

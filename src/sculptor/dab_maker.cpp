@@ -1,6 +1,7 @@
 #include "sculptor/dab_maker.hpp"
 
 #include "bozzetto/clay/stroke.hpp"
+#include "sculptor/recall_dabs.hpp"
 
 namespace bozzetto {
 namespace {
@@ -65,6 +66,7 @@ class ClayDabs final : public DabMaker<Side> {
 template <int Side>
 std::unique_ptr<DabMaker<Side>> makeDabMaker(Workbench<Side>& bench, Edit<CornerBlock<Side>>& edit,
                                              const Stroke& stroke) {
+  if (bench.hand.recall) return std::make_unique<RecallDabs<Side>>(bench, edit, stroke);
   if (movesClay(bench.hand.action.kind))
     return std::make_unique<ClayDabs<Side>>(bench, edit, stroke);
   return std::make_unique<BrushDabs<Side>>(bench, edit, stroke);

@@ -12,12 +12,7 @@ int readCount(JsonObject& object) {
 
 UndoOperation readUndo(JsonObject& object) { return {readCount(object)}; }
 RedoOperation readRedo(JsonObject& object) { return {readCount(object)}; }
-GoToOperation readGoTo(JsonObject& object) {
-  object.required("step");
-  const int step = object.integer("step", 0);
-  if (step < 0) object.fail("step", "the number of a step");
-  return {static_cast<StepNumber>(step)};
-}
+GoToOperation readGoTo(JsonObject& object) { return {readStep(object)}; }
 Json writeUndo(const UndoOperation& undo) { return {{"count", undo.count}}; }
 Json writeRedo(const RedoOperation& redo) { return {{"count", redo.count}}; }
 Json writeGoTo(const GoToOperation& goTo) { return {{"step", goTo.step}}; }

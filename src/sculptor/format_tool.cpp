@@ -24,7 +24,10 @@ Json writeTool(const ToolOperation& tool) {
 ActionOperation readAction(JsonObject& object) {
   using enum ActionKind;
   ActionOptions action;
-  object.required("name");
+  if (object.text("name") == "recall") {
+    action.strength = object.number("strength", 0.5);
+    return {action, readStep(object)};
+  }
   action.kind = object.choice<ActionKind>("name",
                                           {{"add", add},
                                            {"remove", remove},
@@ -39,10 +42,14 @@ ActionOperation readAction(JsonObject& object) {
                                           add);
   action.strength = object.number("strength", 0.5);
   action.colour = readColour(object);
-  return {action};
+  return {action, std::nullopt};
 }
 
 Json writeAction(const ActionOperation& operation) {
+  if (operation.recall) {
+    return {
+        {"name", "recall"}, {"strength", operation.action.strength}, {"step", *operation.recall}};
+  }
   return {{"name", toText(operation.action.kind)},
           {"strength", operation.action.strength},
           {"colour", toText(operation.action.colour)}};

@@ -73,4 +73,11 @@ Json listOf(const std::vector<StrokePoint>& points) {
   return lists;
 }
 
+StepNumber readStep(JsonObject& object) {
+  object.required("step");
+  const int step = object.integer("step", 0);
+  if (step < 0) object.fail("step", "the number of a step");
+  return static_cast<StepNumber>(step);
+}
+
 }  // namespace bozzetto

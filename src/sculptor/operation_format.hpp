@@ -47,6 +47,7 @@ glm::dquat readRotation(JsonObject& object);
 Shape readShape(JsonObject& object);
 Colour readColour(JsonObject& object);
 Axis readAxis(JsonObject& object, const char* key);
+StepNumber readStep(JsonObject& object);
 Json listOf(const glm::dvec3& v);
 Json listOf(const glm::dquat& q);
 Json listOf(const std::vector<StrokePoint>& points);

@@ -13,7 +13,11 @@ void run(const ToolOperation& operation, Workbench<Side>& bench, const Telling& 
 template <int Side>
 void run(const ActionOperation& operation, Workbench<Side>& bench, const Telling&) {
   requireValid(operation.action);
+  if (operation.recall && !bench.history().tree().has(*operation.recall)) {
+    throw Error("action: step " + std::to_string(*operation.recall) + ": not in the history");
+  }
   bench.hand.action = operation.action;
+  bench.hand.recall = operation.recall;
 }
 
 BOZZETTO_RUNS(ToolOperation);

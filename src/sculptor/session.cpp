@@ -22,6 +22,14 @@ fs::path stateFolder() {
   return fs::path(home) / ".local" / "state" / "bozzetto";
 }
 
+bool livesInStateFolder(const fs::path& scene) {
+  try {
+    return folderOf(scene) == stateFolder();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 HistoryPlace takePlace(SceneParts& parts) {
   const auto setting = parts.settings.find(kPlaceSetting);
   if (setting == parts.settings.end()) return kUnknownPlace;
@@ -54,6 +62,7 @@ struct Session::Opened {
 Session::Session(fs::path path, Opened opened, const SessionOptions& options)
     : parts(std::move(opened.parts)),
       path_(std::move(path)),
+      named_(!livesInStateFolder(path_)),
       options_(options),
       findings_{opened.history.recovered, opened.history.unsavedSteps, opened.history.time,
                 opened.history.readOnly, std::move(opened.history.notices)},
@@ -118,9 +127,7 @@ Session Session::create(const fs::path& scene, const SessionOptions& options) {
   OpenedHistory<8> opened =
       openHistory<8>(folderFor(path, parts, files), {}, HistoryAccess::write, options.limits);
   if (opened.readOnly) throw Error(path.string() + ": another program has it open");
-  Session session(path, Opened{std::move(opened), std::move(parts), SceneFile(files)}, options);
-  session.named_ = !scene.empty();
-  return session;
+  return {path, Opened{std::move(opened), std::move(parts), SceneFile(files)}, options};
 }
 
 std::vector<fs::path> Session::leftBehind(FileSystem& files) {
@@ -189,7 +196,7 @@ SaveReport Session::saveAs(const fs::path& scene, Progress& progress) {
 void Session::bringHistoryTo(const fs::path& folder, const Document& document) {
   History<8>& history = sculptor_.history();
   history.waitDurable();
-  copyHistory(history, folder, *options_.files);
+  if (history.onDisk()) copyHistory(history, folder, *options_.files);
   SceneParts copy = document.parts;
   const SavedScene<8> saved{document.field, takePlace(copy)};
   const HistoryFolder there{folder, copy.identity.bytes, options_.files};

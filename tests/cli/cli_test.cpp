@@ -239,7 +239,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"render FOLDERtext.bzt FOLDERp.png --turntable 0", 2, "turntable"}));
 
 TEST(Cli, helpIsThereForEveryCommand) {
-  for (const char* command : {"", "import", "replay", "export", "render", "info", "check"}) {
+  for (const char* command :
+       {"", "import", "replay", "export", "render", "info", "check", "history", "recover"}) {
     const Outcome outcome = runProgram(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_NE(outcome.out.find("--help"), std::string::npos) << command;

@@ -39,6 +39,11 @@ Outcome runLimited(const std::string& arguments, int kibibytes) {
                   arguments);
 }
 
+Outcome runKilled(const std::string& arguments, double seconds) {
+  return runShell("timeout -s KILL " + std::to_string(seconds) + " " BOZZETTO_PROGRAM " " +
+                  arguments);
+}
+
 Folder::Folder() {
   std::string name = (fs::temp_directory_path() / "bozzetto-test-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) std::abort();

@@ -16,6 +16,9 @@ Outcome runProgram(const std::string& arguments);
 /// The same where no file may grow beyond so many KiB.
 Outcome runLimited(const std::string& arguments, int kibibytes);
 
+/// The same, killed (SIGKILL) after so many seconds.
+Outcome runKilled(const std::string& arguments, double seconds);
+
 /// A folder of its own that goes away with it.
 class Folder {
  public:

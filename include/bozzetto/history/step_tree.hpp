@@ -41,7 +41,7 @@ class StepTree {
   const Step* find(StepNumber number) const;
   std::vector<Step> steps() const;  ///< in the order in which they were made
 
-  /// Steps that undo would take back, and that redo would do again. O(them).
+  /// Steps that undo would take back, and that redo would do again. O(log n).
   std::size_t undoDepth() const;
   std::size_t redoDepth() const;
   /// Where `count` undos, or redos, from here lead; as far as there are any.
@@ -80,8 +80,10 @@ class StepTree {
   struct Node {
     Step step;
     std::vector<StepNumber> children;
-    StepNumber next = 0;  // the child that redo takes; 0: the newest
+    StepNumber next = 0;    // the child that redo takes; 0: the newest
+    std::size_t depth = 0;  // steps from where it all began
   };
+  std::size_t depthOf(StepNumber state) const;
   const std::vector<StepNumber>& childrenOf(StepNumber state) const;
   StepNumber& nextLink(StepNumber state);
   StepNumber nextOf(StepNumber state) const;
@@ -95,6 +97,7 @@ class StepTree {
   std::uint64_t rootMark_;
   std::vector<StepNumber> rootChildren_;
   StepNumber rootNext_ = 0;
+  std::size_t rootDepth_ = 0;
   StepNumber place_, tip_;
   std::uint64_t writtenBytes_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "bozzetto/history/step.hpp"
 #include "bozzetto/sculptor/clay_operations.hpp"
 #include "bozzetto/sculptor/solid_operations.hpp"
 #include "bozzetto/tool/action.hpp"
@@ -34,6 +35,9 @@ struct ToolOperation {
 /// What strokes do from now on.
 struct ActionOperation {
   ActionOptions action;
+  /// Instead of the action's kind: bring back this state of the history, as far as the tool and
+  /// the action's strength reach.
+  std::optional<StepNumber> recall = std::nullopt;
 };
 
 struct StrokeOperation {

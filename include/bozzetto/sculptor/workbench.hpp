@@ -34,6 +34,7 @@ struct SurfaceChanges {
 struct Hand {
   std::optional<ToolShape> chosen;  ///< as asked for: a finer grid may take it as it is
   ActionOptions action;
+  std::optional<StepNumber> recall;  ///< strokes bring back this state instead
 
   /// The tool; as long as nobody chose one, a ball of 8 cells.
   ToolShape tool(double spacing) const;

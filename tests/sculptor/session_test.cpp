@@ -1,0 +1,208 @@
+#include "bozzetto/sculptor/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "support/folder.hpp"
+
+namespace bozzetto {
+namespace {
+
+namespace fs = std::filesystem;
+
+FillOperation fillAt(double x) {
+  FillOperation fill;
+  fill.primitive.centre = {x, 0, 0};
+  return fill;
+}
+
+class Sessions : public ::testing::Test {
+ protected:
+  Sessions() { ::setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1); }
+
+  std::uint64_t hashOf(const Session& session) { return fieldHash(session.sculptor().field()); }
+
+  testing::Folder folder_;
+  const fs::path scene_ = folder_ / "faun.bzt";
+};
+
+TEST_F(Sessions, aDocumentIsSavedWithItsHistory) {
+  {
+    Session session = Session::create(scene_);
+    EXPECT_TRUE(session.saved()) << "nothing happened yet";
+    session.sculptor().apply(fillAt(0));
+    EXPECT_FALSE(session.saved());
+    session.save();
+    EXPECT_TRUE(session.saved());
+    session.parts.settings["theme"] = "dusk";
+    EXPECT_FALSE(session.saved()) << "parts count";
+    session.save();
+    session.sculptor().apply(UndoOperation{});
+    EXPECT_FALSE(session.saved());
+    session.sculptor().apply(RedoOperation{});
+    EXPECT_TRUE(session.saved());
+  }
+  Session session = Session::open(scene_);
+  EXPECT_FALSE(session.findings().recovered);
+  EXPECT_TRUE(session.saved());
+  EXPECT_EQ(session.parts.settings.at("theme"), "dusk");
+  EXPECT_FALSE(session.parts.settings.contains("history")) << "our own business";
+  EXPECT_EQ(session.sculptor().history().undoDepth(), 1u);
+  session.sculptor().apply(UndoOperation{});
+  EXPECT_TRUE(session.sculptor().field().tree.empty());
+}
+
+TEST_F(Sessions, whatWasNotSavedComesBack) {
+  std::uint64_t hash = 0;
+  {
+    Session session = Session::create(scene_);
+    session.sculptor().apply(fillAt(0));
+    session.save();
+    session.sculptor().apply(fillAt(40));
+    hash = hashOf(session);
+  }
+  {
+    const Session looked = Session::look(scene_);
+    EXPECT_EQ(hashOf(looked), hash);
+  }
+  Session session = Session::open(scene_);
+  EXPECT_TRUE(session.findings().recovered);
+  EXPECT_EQ(session.findings().unsavedSteps, 1u);
+  EXPECT_EQ(hashOf(session), hash);
+  EXPECT_FALSE(session.saved());
+}
+
+TEST_F(Sessions, aDamagedFileIsReplacedByItsHistory) {
+  std::uint64_t hash = 0;
+  {
+    Session session = Session::create(scene_);
+    session.sculptor().apply(fillAt(0));
+    session.save();
+    hash = hashOf(session);
+  }
+  std::ofstream(scene_) << "no scene at all";
+  Session session = Session::open(scene_);
+  EXPECT_EQ(hashOf(session), hash);
+  EXPECT_FALSE(session.findings().notices.empty());
+  session.save();
+  EXPECT_FALSE(Session::look(scene_).findings().recovered);
+}
+
+TEST_F(Sessions, theHistoryComesAlongToAnotherName) {
+  Session session = Session::create(scene_);
+  session.sculptor().apply(fillAt(0));
+  session.save();
+  const fs::path other = folder_ / "satyr.bzt";
+  session.saveAs(other);
+  EXPECT_EQ(session.path(), other);
+  EXPECT_TRUE(session.saved());
+  session.sculptor().apply(fillAt(40));
+  session.sculptor().apply(UndoOperation{2});
+  EXPECT_TRUE(session.sculptor().field().tree.empty());
+  session.sculptor().apply(RedoOperation{2});
+  session.save();
+  EXPECT_EQ(Session::look(scene_).sculptor().history().tree().size(), 1u) << "as it was left";
+  EXPECT_EQ(Session::look(other).sculptor().history().tree().size(), 2u);
+  EXPECT_FALSE(Session::look(scene_).findings().recovered);
+}
+
+TEST_F(Sessions, documentsWithoutANameLiveInTheStateFolder) {
+  std::uint64_t hash = 0;
+  {
+    Session session = Session::create({});
+    EXPECT_TRUE(session.path().empty());
+    session.sculptor().apply(fillAt(0));
+    hash = hashOf(session);
+    EXPECT_THROW(session.save(), Error);
+    session.sculptor().history().waitDurable();
+    EXPECT_TRUE(Session::leftBehind().empty()) << "it is open";
+  }
+  const auto left = Session::leftBehind();
+  ASSERT_EQ(left.size(), 1u);
+  Session session = Session::open(left[0]);
+  EXPECT_EQ(hashOf(session), hash);
+  EXPECT_TRUE(session.path().empty());
+  session.saveAs(scene_);
+  EXPECT_EQ(session.path(), scene_);
+  EXPECT_TRUE(Session::leftBehind().empty());
+  EXPECT_EQ(Session::look(scene_).sculptor().history().undoDepth(), 1u);
+}
+
+TEST_F(Sessions, theSecondIsToldAndWritesNothing) {
+  Session first = Session::create(scene_);
+  first.sculptor().apply(fillAt(0));
+  first.save();
+  Session second = Session::open(scene_);
+  EXPECT_TRUE(second.findings().readOnly);
+  EXPECT_EQ(hashOf(second), hashOf(first));
+  second.sculptor().apply(fillAt(40));
+  EXPECT_THROW(second.save(), Error);
+  second.saveAs(folder_ / "copy.bzt");
+  EXPECT_EQ(fieldHash(loadScene(scene_).field), hashOf(first));
+}
+
+TEST_F(Sessions, picturesGoWithTheirSteps) {
+  Session session = Session::create(scene_);
+  session.sculptor().setPictureTaker([] { return Bytes(10, std::byte{1}); });
+  session.sculptor().apply(fillAt(0));
+  session.sculptor().history().waitDurable();
+  EXPECT_EQ(session.sculptor().history().thumbnail(1), Bytes(10, std::byte{1}));
+}
+
+TEST_F(Sessions, jumpsGoToAnyBranch) {
+  Session session = Session::create(scene_);
+  Sculptor& sculptor = session.sculptor();
+  sculptor.apply(fillAt(0));
+  const auto one = hashOf(session);
+  sculptor.apply(fillAt(40));
+  const auto two = hashOf(session);
+  sculptor.apply(UndoOperation{});
+  sculptor.apply(fillAt(80));
+  sculptor.apply(GoToOperation{2});
+  EXPECT_EQ(hashOf(session), two);
+  const OperationReport report = sculptor.apply(GoToOperation{1});
+  EXPECT_EQ(hashOf(session), one);
+  EXPECT_DOUBLE_EQ(report.massAfter, statistics(sculptor.field()).mass);
+  EXPECT_THROW(sculptor.apply(GoToOperation{9}), Error);
+}
+
+// A box at full strength brings back what it covers, and nothing else.
+TEST_F(Sessions, recallBringsBackWhatTheToolCovers) {
+  Session session = Session::create(scene_);
+  Sculptor& sculptor = session.sculptor();
+  sculptor.apply(fillAt(0));
+  const Clay past = sculptor.field();
+  FillOperation painted = fillAt(0);
+  painted.primitive.radii = {12, 12, 12};
+  painted.primitive.colour = {1, 2, 3};
+  sculptor.apply(painted);
+  const Clay before = sculptor.field();
+  const auto tool = R"({"op":"tool","shape":"box","profile":"box","radii":[5,20,20]})";
+  sculptor.apply(parseOperation(tool, ""));
+  const auto recall = R"({"op":"action","name":"recall","strength":1,"step":1})";
+  sculptor.apply(parseOperation(recall, ""));
+  EXPECT_EQ(toText(parseOperation(recall, "")),
+            toText(parseOperation(toText(parseOperation(recall, "")), "")));
+  const auto stroke = R"({"op":"stroke","points":[[8,0,0]]})";
+  const OperationReport report = sculptor.apply(parseOperation(stroke, ""));
+  EXPECT_GT(report.dirty, 100);
+  for (std::int32_t i = -14; i <= 14; ++i)
+    for (std::int32_t j = -14; j <= 14; ++j) {
+      const Key corner{i, j, 2};
+      const bool covered = i >= 3 && i <= 13;
+      const Clay& expected = covered ? past : before;
+      ASSERT_EQ(sculptor.field().value(corner), expected.value(corner)) << i << " " << j;
+      ASSERT_EQ(sculptor.field().attributes(corner), expected.attributes(corner));
+    }
+  EXPECT_EQ(validate(sculptor.field()), std::nullopt);
+  EXPECT_DOUBLE_EQ(report.massAfter, statistics(sculptor.field()).mass);
+  sculptor.apply(UndoOperation{});
+  EXPECT_EQ(hashOf(session), fieldHash(before));
+  EXPECT_THROW(sculptor.apply(parseOperation(R"({"op":"action","name":"recall","step":77})", "")),
+               Error);
+}
+
+}  // namespace
+}  // namespace bozzetto
