@@ -1,12 +1,13 @@
 #include "bozzetto/history/copy.hpp"
 
+#include <algorithm>
+
 #include "bozzetto/base/file.hpp"
 #include "history/journal.hpp"
 
 namespace bozzetto {
-namespace {
 
-void putAside(const std::filesystem::path& folder, FileSystem& files) {
+void putHistoryAside(const std::filesystem::path& folder, FileSystem& files) {
   if (!files.info(folder)) return;
   if (historyIsLocked(folder, files)) {
     throw Error(folder.string() + ": another program has it open");
@@ -16,14 +17,24 @@ void putAside(const std::filesystem::path& folder, FileSystem& files) {
   files.rename(folder, old, Existing::refuse);
 }
 
-}  // namespace
+std::optional<std::int64_t> lastChangeOf(const std::filesystem::path& folder, FileSystem& files) {
+  std::optional<std::int64_t> last;
+  try {
+    for (const std::string& name : files.list(folder)) {
+      const auto info = files.info(folder / name);
+      if (info && name != undo::kLockFile) last = std::max(last.value_or(0), info->seconds);
+    }
+  } catch (const Error&) {
+  }
+  return last;
+}
 
 template <int Side>
 void copyHistory(const History<Side>& history, const std::filesystem::path& folder,
                  FileSystem& files) {
   const std::filesystem::path from = history.folder();
   if (from.empty()) return;
-  putAside(folder, files);
+  putHistoryAside(folder, files);
   files.makePrivateFolder(folder);
   for (const std::string& name : files.list(from)) {
     if (name == undo::kLockFile || name.starts_with(".")) continue;

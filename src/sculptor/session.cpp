@@ -38,6 +38,15 @@ HistoryPlace takePlace(SceneParts& parts) {
   return place.value_or(kUnknownPlace);
 }
 
+// Saved by somebody who knows nothing of the history, and after it: it is not this document's any
+// more. A minute, because copies of scene and history get their times as it happens.
+bool outlived(const fs::path& scene, const SceneParts& parts, FileSystem& files) {
+  if (parts.settings.contains(kPlaceSetting)) return false;
+  const auto last = lastChangeOf(historyFolderOf(scene), files);
+  const auto info = files.info(scene);
+  return last && info && info->seconds > *last + 60;
+}
+
 HistoryFolder folderFor(const fs::path& scene, const SceneParts& parts, FileSystem& files) {
   return {historyFolderOf(scene), parts.identity.bytes, &files};
 }
@@ -78,9 +87,11 @@ Session Session::begin(const fs::path& scene, HistoryAccess access, const Sessio
   SceneParts parts;
   SceneFile file(files);
   std::vector<std::string> notices;
+  bool old = false;
   try {
     Document document = file.load(scene, progress);
     parts = std::move(document.parts);
+    old = outlived(scene, parts, files);
     const HistoryPlace place = takePlace(parts);
     saved = SavedScene<8>{std::move(document.field), place};
   } catch (const Cancelled&) {
@@ -91,9 +102,14 @@ Session Session::begin(const fs::path& scene, HistoryAccess access, const Sessio
     if (files.info(scene)) notices.push_back(error.what());
     parts.identity.bytes = *identity;
   }
-  const HistoryFolder folder = folderFor(scene, parts, files);
+  HistoryFolder folder = folderFor(scene, parts, files);
+  if (old) {
+    notices.push_back(folder.path.string() + ": ignored, the scene was saved without it since");
+    if (access == HistoryAccess::read) folder.path += "~none";
+  }
   OpenedHistory<8> opened;
   try {
+    if (old && access == HistoryAccess::write) putHistoryAside(folder.path, files);
     opened = openHistory<8>(folder, saved, access, options.limits);
   } catch (const FileError& error) {
     if (access == HistoryAccess::read) throw;

@@ -143,6 +143,25 @@ TEST_F(Sessions, theSecondIsToldAndWritesNothing) {
   EXPECT_EQ(fieldHash(loadScene(scene_).field), hashOf(first));
 }
 
+// By a program that keeps the identity and knows nothing of histories.
+TEST_F(Sessions, aSceneSavedByOthersLaterIsTakenAsItIs) {
+  Document document;
+  {
+    Session session = Session::create(scene_);
+    session.sculptor().apply(fillAt(0));
+    session.save();
+    document = loadScene(scene_);
+    session.sculptor().apply(fillAt(40));
+  }
+  document.parts.settings.clear();
+  saveScene(scene_, document);
+  fs::last_write_time(scene_, fs::last_write_time(scene_) + std::chrono::minutes(5));
+  const std::uint64_t hash = fieldHash(document.field);
+  EXPECT_EQ(hashOf(Session::look(scene_)), hash);
+  EXPECT_EQ(hashOf(Session::open(scene_)), hash);
+  EXPECT_TRUE(fs::exists(scene_.string() + ".history~"));
+}
+
 TEST_F(Sessions, picturesGoWithTheirSteps) {
   Session session = Session::create(scene_);
   session.sculptor().setPictureTaker([] { return Bytes(10, std::byte{1}); });

@@ -1,6 +1,8 @@
 // Histories as a whole: copied to where a document goes under another name, removed, looked at.
 #pragma once
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "bozzetto/history/history.hpp"
 
@@ -15,6 +17,14 @@ void copyHistory(const History<Side>& history, const std::filesystem::path& fold
 
 extern template void copyHistory(const History<1>&, const std::filesystem::path&, FileSystem&);
 extern template void copyHistory(const History<8>&, const std::filesystem::path&, FileSystem&);
+
+/// Gives the folder the name FOLDER~, in the place of what had it. Throws FileError; Error when
+/// somebody has it locked. Nothing when there is none.
+void putHistoryAside(const std::filesystem::path& folder, FileSystem& files = FileSystem::real());
+
+/// When anything in the folder was changed last, seconds since 1970; nothing when it holds nothing.
+std::optional<std::int64_t> lastChangeOf(const std::filesystem::path& folder,
+                                         FileSystem& files = FileSystem::real());
 
 /// Removes a folder that holds a history and nothing else. What cannot be removed stays.
 void removeHistory(const std::filesystem::path& folder, FileSystem& files = FileSystem::real());
