@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace bozzetto {
 namespace {
@@ -66,12 +67,15 @@ template <int Side>
 DabReport RecallDabs<Side>::dab(std::int64_t n) {
   DabReport report = weights_.dab(n);
   std::set<Key> keys;
-  for (const KeyRun& run : std::exchange(report.changed, {})) keys.insert(run.key);
+  for (const ChangedRun& run : std::exchange(report.changed, {})) {
+    for (std::int32_t k = 0; k < run.length; ++k) keys.insert(run.key + Key{0, 0, k});
+  }
   report.dirty = 0;
   for (const Key key : keys) {
-    const int dirty = blend(key, *room_.find(key));
+    const Block* weight = room_.find(key);
+    const int dirty = weight == nullptr ? 0 : blend(key, *weight);
     report.dirty += dirty;
-    if (dirty > 0) report.changed.push_back({key, 1});
+    if (dirty > 0) report.changed.emplace_back(KeyRun{key, 1});
   }
   roomEdit_.rollback();
   return report;

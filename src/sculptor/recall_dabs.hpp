@@ -17,7 +17,7 @@ class RecallDabs final : public DabMaker<Side> {
   std::int64_t dabCount() const override { return weights_.dabCount(); }
   std::int64_t sureDabs() const override { return weights_.sureDabs(); }
   DabReport dab(std::int64_t n) override;
-  void finish() override {}
+  std::vector<ChangedRun> finish() override { return {}; }
 
  private:
   using Block = CornerBlock<Side>;
