@@ -232,7 +232,7 @@ void Renderer::Impl::begin(SliceSum& sum, const Shot& shot, const Look& look) {
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
   }
-  SliceSum::Progress& next = sum.progress.emplace();
+  SliceProgress& next = sum.progress.emplace();
   next.frame = makeFrame(shot, look, sliceAt(sum.slices));
   const PatchStore& clay = store(Fineness::fine);
   if (look.detail == Detail::full) {
@@ -259,7 +259,7 @@ std::span<const PatchStore::Seen> nextOf(const std::vector<PatchStore::Seen>& al
 
 // Shadow map, backdrop, clay, each as far as the budget goes. True when the slice is whole.
 bool Renderer::Impl::drawSome(SliceSum& sum, const Look& look, std::size_t triangles) {
-  SliceSum::Progress& p = *sum.progress;
+  SliceProgress& p = *sum.progress;
   const bool all = triangles == 0;
   drawShadows(p.frame, nextOf(p.shadow, p.shadowDone, triangles));
   if (p.shadowDone < p.shadow.size() || (!all && triangles == 1)) return false;

@@ -18,21 +18,22 @@ struct Programs {
   Programs();
 };
 
+/// A slice in progress: what is left to draw of it.
+struct SliceProgress {
+  Frame frame;
+  std::vector<PatchStore::Seen> shadow, clay;
+  std::size_t shadowDone = 0, clayDone = 0;
+  bool backgroundDone = false;
+  std::uint64_t shadowTicket = 0;
+};
+
 /// A picture that grows better slice by slice: one slice, and the sum of slices / kScale.
 struct SliceSum {
   static constexpr float kScale = 16;
   std::optional<Target> slice, sum;
   int slices = 0;
 
-  /// The slice in progress: what is left to draw of it.
-  struct Progress {
-    Frame frame;
-    std::vector<PatchStore::Seen> shadow, clay;
-    std::size_t shadowDone = 0, clayDone = 0;
-    bool backgroundDone = false;
-    std::uint64_t shadowTicket = 0;
-  };
-  std::optional<Progress> progress;
+  std::optional<SliceProgress> progress;
 
   void restart() {
     slices = 0;

@@ -83,8 +83,12 @@ struct Viewport::Impl {
   std::array<std::optional<Target>, 2> composed;  // clay and overlays, for stereo
   std::int64_t uploadedBefore = 0;
 
+  // A good map at once: the first slice would bring it, and every moving frame after it would
+  // look a little different.
   Impl(Renderer::Impl& r, std::string_view driver)
-      : renderer(r), ladder(driver), eyes{ClayPicture(r), ClayPicture(r)} {}
+      : renderer(r), ladder(driver), eyes{ClayPicture(r), ClayPicture(r)} {
+    renderer.studios.mapOf(Studio(), MapQuality::good);
+  }
 
   Quality quality() const { return fixed.value_or(ladder.quality()); }
   ClayPicture::Request requestFor(const ViewFrame& frame) const;

@@ -271,6 +271,32 @@ TEST(Picture, ATurnComesRound) {
   EXPECT_GT(meanDifference(frames[0], frames[2]), 1);
 }
 
+// Held clay is bluer than free clay of the same colour, on the fast path too; a tint of 0 hides it.
+TEST(Picture, HeldClayIsTinted) {
+  Scene held = sceneOf(head());
+  Edit<CornerBlock<8>> edit(held.clay.tree);
+  std::vector<Key> keys;
+  for (const auto& [key, run] : held.clay.tree) {
+    for (std::int32_t n = 0; n < run.length; ++n) keys.push_back(key + Key{0, 0, n});
+  }
+  for (const Key key : keys) {
+    for (Attributes& a : edit.write(key).attributes) a |= Attributes{255} << 24;
+  }
+  edit.commit();
+  held.surface.rebuild(held.clay);
+  PictureOptions options = small();
+  for (const Detail detail : {Detail::full, Detail::baked}) {
+    options.look.detail = detail;
+    options.look.holdTint = 1;
+    const auto middle = [&](const Image& image) { return image.at(80, 40); };
+    const Image::Pixel free = middle(pictureOf(headScene(), options));
+    const Image::Pixel tinted = middle(pictureOf(held, options));
+    EXPECT_GT(tinted[2] - tinted[0], free[2] - free[0] + 40);
+    options.look.holdTint = 0;
+    EXPECT_EQ(middle(pictureOf(held, options)), free);
+  }
+}
+
 // Light fixed to the view turned by a quarter is another picture; turned once round the same.
 TEST(Picture, LightsTurn) {
   PictureOptions options = small();
