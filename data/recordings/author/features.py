@@ -96,6 +96,31 @@ def _(r):
              rotation=turn((0, 0, 1), 30.0 * i), colour=BLUE)
 
 
+@sample("push")
+def _(r):
+    r.op(op="fill", shape="box", center=(0, 0, 0), radii=(16, 6, 10), colour=CLAY)
+    r.op(op="hold", box={"min": [-20, -10, -12], "max": [-10, 10, 12]}, amount=1)
+    r.op(op="support", shape="cylinder", center=(-4, -11, 0), radii=(5, 12, 5),
+         rotation=turn((1, 0, 0), 90))
+    r.op(op="clay", layers=["displacement", "conservation", "tension"], stiffness=0.9)
+    r.op(op="tool", shape="ellipsoid", radii=(5, 5, 5))
+    r.op(op="action", name="push")
+    r.op(op="stroke", points=[(13, 13, 0), (13, 8, 0)],
+         rotations=[(1, 0, 0, 0), (0.9, 0, 0, -0.3)])
+    r.op(op="action", name="grip")
+    r.op(op="stroke", points=[(14, -2, 0), (15, -5, 0)])
+    r.op(op="release", supports=True, hold=True)
+    r.op(op="clay", layers=["diffusion"], viscosity=3, profile="gaussian")
+    r.op(op="action", name="push")
+    r.op(op="stroke", points=[(0, 13, 4), (0, 9, 4)])
+    r.op(op="clay", layers=["automaton"], sharing="literal", sweeps=20)
+    r.op(op="stroke", points=[(-8, 13, -4), (-8, 9, -4)])
+    r.op(op="action", name="swell", strength=0.5)
+    r.op(op="stroke", points=[(-12, 6, 0), (-8, 6, 0)])
+    r.op(op="clay", scheme="paper")
+    r.op(op="relax", steps=3)
+
+
 @sample("resample")
 def _(r):
     lump(r)
