@@ -16,12 +16,20 @@ float roomAt(const Region& region, std::size_t cell) {
 
 float floored(float x) { return std::floor(x / kQuantum) * kQuantum; }
 
+// Outwards; where the normal has no part along an axis, a little away from the tool's middle, so
+// that walks that turn there go to both sides.
 glm::dvec3 normalAt(const Work& work, std::size_t cell) {
   const Key key = work.region.key(cell);
-  for (const PlacedTool& tool : work.moving)
-    if (tool.role == Role::push && tool.cover(key) > 0) return tool.normal(key);
-  for (const PlacedTool& tool : work.supports)
-    if (tool.cover(key) > 0) return tool.normal(key);
+  for (const auto* tools : {&work.moving, &work.supports})
+    for (const PlacedTool& tool : *tools) {
+      if (tool.role == Role::grip || tool.cover(key) <= 0) continue;
+      glm::dvec3 normal = tool.normal(key);
+      const Key local = key - tool.solid->cell;
+      for (const Axis axis : kAxes)
+        if (std::abs(normal[index(axis)]) < 1e-9)
+          normal[index(axis)] = local[axis] < 0 ? -1e-9 : 1e-9;
+      return normal;
+    }
   return {0, 1, 0};
 }
 

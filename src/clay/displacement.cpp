@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "clay/influence.hpp"
+#include "clay/thinc.hpp"
 
 namespace bozzetto::clay {
 namespace {
@@ -29,12 +30,12 @@ void meanAlong(const Region& region, const Cells<float>& in, Cells<float>& out,
 
 }  // namespace
 
-// Entering a cell costs 1/max(v, 0.01), and with tension 1/max(0.01, v·b⁴), b the mean of v round
-// about: then what is thin parts first.
+// Entering a cell costs 1/max(v, 0.01), or with parting 1/max(0.01, v·bⁿ), b the mean of v round
+// about: then what is thin stretches first, and parts.
 void Displacement::findCosts(Work& work) {
   Region& region = work.region;
-  const bool tension = false;
-  if (tension) {
+  const auto power = static_cast<float>(work.settings.parting);
+  if (power > 0) {
     forRows(region.rows(), [&](const Row& row) {
       for (std::size_t n = row.base; n < row.base + row.count; ++n)
         region.inverse[n] = std::min(region.value[n], 1.0f);
@@ -45,8 +46,9 @@ void Displacement::findCosts(Work& work) {
   }
   forRows(region.rows(), [&](const Row& row) {
     for (std::size_t n = row.base; n < row.base + row.count; ++n) {
-      const float b = tension ? region.flux[n] : 1.0f, b2 = b * b;
-      const float ease = std::min(region.value[n], 1.0f) * (b2 * b2);
+      float ease = std::min(region.value[n], 1.0f);
+      if (power > 0 && ease > 0)
+        ease *= exponential(power * logarithm(std::max(region.flux[n], kThin)));
       region.rhs[n] = 1 / std::clamp(ease, 1 / kMostCost, 1.0f);
     }
   });

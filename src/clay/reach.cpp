@@ -77,6 +77,16 @@ Reach connectedClay(const Edit<CornerBlock<Side>>& edit, const KeyBox& seeds) {
 }
 
 template <int Side>
+bool anyClay(const Edit<CornerBlock<Side>>& edit, const KeyBox& box) {
+  const Key low = BlockGeometry<8>::blockOf(box.low), high = BlockGeometry<8>::blockOf(box.high);
+  bool any = false;
+  for (std::int32_t i = low.i; i <= high.i; ++i)
+    for (std::int32_t j = low.j; j <= high.j; ++j)
+      for (std::int32_t k = low.k; k <= high.k && !any; ++k) any = hasClay<Side>(edit, {i, j, k});
+  return any;
+}
+
+template <int Side>
 Reach allClay(const Edit<CornerBlock<Side>>& edit) {
   KeyBox corners;
   std::int64_t count = 0;
@@ -96,6 +106,8 @@ Reach allClay(const Edit<CornerBlock<Side>>& edit) {
 
 template Reach connectedClay<1>(const Edit<CornerBlock<1>>&, const KeyBox&);
 template Reach connectedClay<8>(const Edit<CornerBlock<8>>&, const KeyBox&);
+template bool anyClay<1>(const Edit<CornerBlock<1>>&, const KeyBox&);
+template bool anyClay<8>(const Edit<CornerBlock<8>>&, const KeyBox&);
 template Reach allClay<1>(const Edit<CornerBlock<1>>&);
 template Reach allClay<8>(const Edit<CornerBlock<8>>&);
 

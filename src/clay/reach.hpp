@@ -20,6 +20,10 @@ struct Reach {
 template <int Side>
 Reach connectedClay(const Edit<CornerBlock<Side>>& edit, const KeyBox& seeds);
 
+/// Some tile of the box holds clay. O(tiles in the box).
+template <int Side>
+bool anyClay(const Edit<CornerBlock<Side>>& edit, const KeyBox& box);
+
 /// All the clay there is.
 template <int Side>
 Reach allClay(const Edit<CornerBlock<Side>>& edit);

@@ -43,6 +43,7 @@ std::optional<SharingRule> sharingRuleNamed(std::string_view name) {
 void requireValid(const Settings& settings) {
   requireIn(settings.stiffness, 0, 1, "stiffness");
   requireIn(settings.distanceOffset, 0, 1e6, "distance_offset");
+  requireIn(settings.parting, 0, 4, "parting");
   requireIn(settings.crumb, 0, 1000, "crumb");
   requireIn(settings.iterations, 1, 1e8, "iterations");
   requireIn(settings.viscosity, 0, 16, "viscosity");

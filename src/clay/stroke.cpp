@@ -15,11 +15,12 @@
 namespace bozzetto::clay {
 namespace {
 
-constexpr double kStepCells = 0.5;  // clay.md §3.0
-constexpr double kFluid = 0.1;      // less stiffness than this leads nobody far
-constexpr double kFluidReach = 1;   // × radius: how far round the tool fluid clay gives way
-constexpr std::int32_t kRoom = 2;   // tiles of air round the clay of a region
-constexpr std::int32_t kSlack = 1;  // tiles a tool may move before its region does
+constexpr double kStepCells = 0.5;       // clay.md §3.0
+constexpr double kFluid = 0.1;           // less stiffness than this leads nobody far
+constexpr std::size_t kMostImages = 64;  // tools that move at once
+constexpr double kFluidReach = 1.5;      // × radius: how far round the tool fluid clay gives way
+constexpr std::int32_t kRoom = 2;        // tiles of air round the clay of a region
+constexpr std::int32_t kSlack = 1;       // tiles a tool may move before its region does
 
 PlacedTool place(std::unique_ptr<Solid> solid, const DabPose& pose, Role role) {
   PlacedTool tool;
@@ -189,7 +190,7 @@ struct ClayStroke<Side>::State {
   Reach reachOf(const KeyBox& tools) const {
     if (!fluid()) return connectedClay<Side>(*edit, tools);
     const auto margin = static_cast<std::int32_t>(kFluidReach * radius()) + 8;
-    if (connectedClay<Side>(*edit, tools).box.empty()) return {};
+    if (!anyClay<Side>(*edit, tools)) return {};
     return {grown(tools, margin), false};
   }
 
@@ -282,6 +283,10 @@ ClayStroke<Side>::ClayStroke(Edit<CornerBlock<Side>>& edit, const FieldScale& sc
     state_->sculpted = std::make_shared<SculptedDistance>(*tool.sculpture);
   state_->origin = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
   state_->images = imagesOf(stroke.symmetry);
+  if (state_->images.size() > kMostImages) {
+    throw Error("stroke: " + std::to_string(state_->images.size()) +
+                " images found, at most 64 expected where clay is moved");
+  }
   state_->centre = relativeTo(state_->origin, stroke.symmetry.centre, scale.spacing);
   std::vector<Pose> poses;
   for (std::size_t n = 0; n < stroke.points.size(); ++n)

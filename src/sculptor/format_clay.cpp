@@ -37,6 +37,7 @@ ClayOperation readClay(JsonObject& object) {
       "scheme", {{"projected", Scheme::projected}, {"paper", Scheme::paper}}, s.scheme);
   s.stiffness = object.number("stiffness", s.stiffness);
   s.distanceOffset = object.number("distance_offset", s.distanceOffset);
+  s.parting = object.number("parting", s.parting);
   s.crumb = object.integer("crumb", s.crumb);
   s.iterations = object.integer("iterations", s.iterations);
   s.viscosity = object.number("viscosity", s.viscosity);
@@ -59,12 +60,19 @@ Json writeClay(const ClayOperation& operation) {
   const clay::Settings& s = operation.settings;
   Json layers = Json::array();
   for (const clay::LayerKind layer : s.layers) layers.push_back(toText(layer));
-  return {{"layers", layers},         {"scheme", toText(s.scheme)},
-          {"stiffness", s.stiffness}, {"distance_offset", s.distanceOffset},
-          {"crumb", s.crumb},         {"iterations", s.iterations},
-          {"viscosity", s.viscosity}, {"profile", s.profile},
-          {"walk", s.walk},           {"rate", s.rate},
-          {"threshold", s.threshold}, {"sharing", toText(s.sharing)},
+  return {{"layers", layers},
+          {"scheme", toText(s.scheme)},
+          {"stiffness", s.stiffness},
+          {"distance_offset", s.distanceOffset},
+          {"parting", s.parting},
+          {"crumb", s.crumb},
+          {"iterations", s.iterations},
+          {"viscosity", s.viscosity},
+          {"profile", s.profile},
+          {"walk", s.walk},
+          {"rate", s.rate},
+          {"threshold", s.threshold},
+          {"sharing", toText(s.sharing)},
           {"sweeps", s.sweeps}};
 }
 

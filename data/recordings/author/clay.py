@@ -141,7 +141,7 @@ def neck():
     for y, z in ((0, 9.5), (0, -9.5)):
         s.add("stroke", points=[[0, y, z]])
     s.hold([-60, -20, -20], [-30, 20, 20])
-    s.clay(stiffness=1)
+    s.clay(stiffness=1, parting=4)
     s.move("grip", "box", [8, 12, 12], [[38, 0, 0], [110, 0, 0]])
     return s
 
@@ -159,7 +159,7 @@ def raffin(profile=None):
     s = Session()
     s.solid("box", [0, 0, 0], [25, 25, 25])
     keys = {"viscosity": 7, "profile": profile} if profile else {}
-    s.clay(layers=["diffusion"], walk=3, **keys)
+    s.clay(layers=["diffusion"], walk=10, **keys)
     s.move("push", "box", [10, 10, 10], [[0, 36, 0], [0, 27, 0]])
     return s
 

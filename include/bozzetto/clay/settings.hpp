@@ -44,8 +44,9 @@ struct Settings {
 
   double stiffness = 0.7;     ///< 0 fluid … 1 dry: how far clay follows a tool (Dewaele's α)
   double distanceOffset = 0;  ///< cells added to pseudo-distances; more = tools lead less far
-  int crumb = 8;              ///< pieces of fewer cells are eaten; 0 = let them lie
-  int iterations = 200'000;   ///< paper: cells taken from the queue per step, at most
+  double parting = 0;  ///< 0 … 4: how much weaker clay is where it is thin (clay.md §3.1: 4)
+  int crumb = 8;       ///< pieces of fewer cells are eaten; 0 = let them lie
+  int iterations = 200'000;  ///< paper: cells taken from the queue per step, at most
 
   double viscosity = 0;                     ///< diffusion: radius of spreading in cells; 0 = none
   std::array<double, 2> profile = kLinear;  ///< control point of the spreading curve, in 0…1
@@ -61,7 +62,6 @@ struct Settings {
 struct StepReport {
   std::int64_t cells = 0;      ///< visited
   std::int64_t clayCells = 0;  ///< of these, with clay
-  double left = 0;             ///< cells' worth of matter that has found no room yet
   int crumbs = 0;              ///< pieces eaten
 };
 
