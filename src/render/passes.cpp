@@ -1,4 +1,7 @@
 // The passes of one frame: shadow map, background, floor, clay.
+#include <algorithm>
+#include <iterator>
+
 #include "render/enabled.hpp"
 #include "render/renderer_impl.hpp"
 
@@ -12,6 +15,11 @@ void uploadBlock(GLuint binding, const gl::Buffer& buffer, const Block& block) {
   glBindBuffer(GL_UNIFORM_BUFFER, buffer.get());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(Block), &block, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.get());
+}
+
+bool anyNear(const StudioBlock& block) {
+  return std::any_of(std::begin(block.lightPlace), std::end(block.lightPlace),
+                     [](const glm::vec4& place) { return place.w > 0; });
 }
 
 }  // namespace
@@ -62,11 +70,13 @@ void Renderer::Impl::bindStudio(const Frame& frame, const Look& look) {
   gl::bindTexture(gl::floorOcclusion, floorMap);
 }
 
-// The ball knows nothing of what changes without light: options that act on the pixel.
+// The ball knows nothing of what changes without light: options that act on the pixel, and where
+// the stage stands, which only near lights see.
 void Renderer::Impl::bindBall(const StudioBlock& block, const StudioCache::Map& map) {
   StudioBlock key = block;
   key.options = {};
   key.tint = {};
+  if (!anyNear(key)) key.middle = {};
   const gl::Texture* ball = studios.ball(key, map);
   if (ball == nullptr) {
     const gl::KeepTarget keep;

@@ -101,8 +101,8 @@ vec3 viewTowards(const StudioLight& light, float turn, const glm::mat3& worldFro
 void setLight(StudioBlock& block, std::size_t n, const StudioLight& light, vec3 towards) {
   block.lightDirection[n] = {towards, light.wrap};
   block.lightColour[n] = {light.colour, hasBoxInEnvironment(light) ? 0 : 1};
-  const vec3 middle(block.middle);
-  block.lightPlace[n] = {middle + towards * light.distance, light.distance};
+  if (light.distance <= 0) return;
+  block.lightPlace[n] = {vec3(block.middle) + towards * light.distance, light.distance};
 }
 
 }  // namespace
