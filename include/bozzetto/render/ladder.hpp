@@ -10,7 +10,7 @@ enum class Quality {
   least,   ///< baked, half resolution, coarse clay above 100,000 triangles, no floor
   light,   ///< baked, coarse clay above 250,000 triangles
   middle,  ///< baked, multisampled on a graphics card
-  good,    ///< full light, multisampled
+  good,    ///< full light, shadows with 8 taps, multisampled
   best,    ///< full light, shadows with 16 taps, multisampled
 };
 
