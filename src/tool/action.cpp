@@ -10,8 +10,8 @@
 namespace bozzetto {
 namespace {
 
-constexpr std::array<std::string_view, 10> kNames{
-    "add", "remove", "erase", "paint", "paint_soft", "smooth", "hold", "push", "grip", "swell"};
+constexpr std::array<std::string_view, 11> kNames{
+    "add", "remove", "erase", "paint", "paint_soft", "smooth", "stamp", "hold", "push", "grip", "swell"};
 
 BOZZETTO_KERNEL bool otherColourKernel(const BlockView& block, Attributes tool) {
   Attributes differs = 0;
@@ -39,12 +39,13 @@ std::optional<ActionKind> actionNamed(std::string_view name) {
 }
 
 void requireValid(const ActionOptions& options) {
+  clamped(options.stamp, 0.5);
   if (options.strength >= 0 && options.strength <= 1) return;
   throw Error("action strength: " + std::to_string(options.strength) +
               " found, a number in 0…1 expected");
 }
 
-std::unique_ptr<Action> makeAction(const ActionOptions& options) {
+std::unique_ptr<Action> makeAction(const ActionOptions& options, double iso) {
   requireValid(options);
   const bool gives = options.kind == ActionKind::add || options.kind == ActionKind::paint ||
                      options.kind == ActionKind::paintSoft;
@@ -62,6 +63,8 @@ std::unique_ptr<Action> makeAction(const ActionOptions& options) {
       return makePaintSoft(options.colour);
     case ActionKind::smooth:
       return makeSmooth();
+    case ActionKind::stamp:
+      return makeStamp(iso);
     case ActionKind::hold:
       return makeHold();
     default:

@@ -12,12 +12,6 @@ namespace {
 constexpr double kOne = 1 << kFractionBits;
 constexpr double kRounding = 1.0 / 16;  // of positions over a whole tool: cells, generously
 
-// The copy whose cells are nearest to those of the clay, never more than √2 times finer.
-int levelFor(const Sculpture& sculpture, const glm::dvec3& radii) {
-  const double ratio = minification(sculpture, radii);
-  return std::clamp(static_cast<int>(std::ceil(std::log2(ratio) - 0.5)), 0, Sculpture::kLevels);
-}
-
 #if defined(__x86_64__)
 BOZZETTO_TARGET_AVX2 void alignedAvx2(const TilePatch& patch, float* result) {
   alignedBody<8>(patch, result);
@@ -47,8 +41,7 @@ class FreeformPotential final : public Potential {
     const int level = levelFor(*sculpture_, radii);
     level_ = &sculpture_->level(level);
     const glm::dvec3 centre = std::ldexp(1.0, -level) * sculpture_->centre();
-    for (const Axis axis : kAxes)
-      base_[axis] = static_cast<std::int32_t>(std::floor(centre[index(axis)]));
+    base_ = baseOf(*sculpture_, level);
     centre_ = centre - glm::dvec3(base_.i, base_.j, base_.k);
     half_ = std::ldexp(1.0, -level) * sculpture_->halfExtents();
     for (const Axis axis : kAxes) {
@@ -181,6 +174,26 @@ class FreeformPotential final : public Potential {
 double minification(const Sculpture& sculpture, const glm::dvec3& radii) {
   const glm::dvec3 half = sculpture.halfExtents();
   return std::max({half.x / radii.x, half.y / radii.y, half.z / radii.z});
+}
+
+int levelFor(const Sculpture& sculpture, const glm::dvec3& radii) {
+  const double ratio = minification(sculpture, radii);
+  return std::clamp(static_cast<int>(std::ceil(std::log2(ratio) - 0.5)), 0, Sculpture::kLevels);
+}
+
+Key baseOf(const Sculpture& sculpture, int level) {
+  const glm::dvec3 centre = std::ldexp(1.0, -level) * sculpture.centre();
+  Key base;
+  for (const Axis axis : kAxes)
+    base[axis] = static_cast<std::int32_t>(std::floor(centre[index(axis)]));
+  return base;
+}
+
+std::shared_ptr<const DistanceField> SculptureLevel::outside(float iso, int reach) const {
+  const std::lock_guard lock(making_);
+  auto& made = outside_[{iso, reach}];
+  if (made == nullptr) made = std::make_shared<DistanceField>(clay, bounds, iso, reach);
+  return made;
 }
 
 void putOnPivot(const Sculpture& sculpture, DabPose& pose) {

@@ -1,7 +1,10 @@
 // Freeform tools on the grid (Ferley §4.1.2): a sculpture at a place, turned and scaled.
 #pragma once
+#include <map>
+
 #include "bozzetto/tool/potential.hpp"
 #include "bozzetto/tool/sculpture.hpp"
+#include "tool/distance_field.hpp"
 #include "tool/tool_tile.hpp"
 
 namespace bozzetto {
@@ -13,10 +16,23 @@ struct SculptureLevel {
   SculptureLevel(const SculptureLevel&) = delete;
   SculptureLevel& operator=(const SculptureLevel&) = delete;
 
+  /// Distances to its surface outside, as far as `reach` cells; made when first asked for.
+  std::shared_ptr<const DistanceField> outside(float iso, int reach) const;
+
   Clay clay;
   KeyBox bounds;
   BlockTable blocks;
+
+ private:
+  mutable std::mutex making_;
+  mutable std::map<std::pair<float, int>, std::shared_ptr<const DistanceField>> outside_;
 };
+
+/// The copy that a tool of these radii is read from: its cells are nearest to those of the clay,
+/// never more than √2 times finer.
+int levelFor(const Sculpture& sculpture, const glm::dvec3& radiiCells);
+/// The corner of that copy that positions count from.
+Key baseOf(const Sculpture& sculpture, int level);
 
 /// How many times the tool's cells are smaller than the clay's, on the axis where they are most.
 double minification(const Sculpture& sculpture, const glm::dvec3& radiiCells);

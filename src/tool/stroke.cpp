@@ -5,7 +5,9 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "bozzetto/tool/relative.hpp"
+#include "tool/conserving_stamp.hpp"
 #include "tool/freeform.hpp"
+#include "tool/placer.hpp"
 
 namespace bozzetto {
 namespace {
@@ -35,26 +37,38 @@ template <int Side>
 StrokeRunner<Side>::StrokeRunner(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
                                  const ToolShape& tool, const ActionOptions& action,
                                  const Stroke& stroke)
-    : edit_(&edit),
-      spacing_(scale.spacing),
-      walker_(edit),
-      strength_(action.strength),
-      pressure_(stroke.pressure) {
+    : edit_(&edit), scale_(scale), walker_(edit), options_(action), pressure_(stroke.pressure) {
   requireValid(stroke);
   const FittedTool fitted = fitTool(tool, scale.spacing);
   tool_ = fitted.shape;
   tool_.radii /= scale.spacing;
   notice_ = fitted.notice;
-  potential_ = makePotential(tool_);
-  ActionOptions options = action;
-  options.ownColours = options.ownColours && potential_->coloured();
-  action_ = makeAction(options);
+  potential_ = potentialOf(tool_);
+  options_.ownColours = options_.ownColours && potential_->coloured();
+  action_ = makeAction(options_, scale.iso);
 
   origin_ = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
   images_ = imagesOf(stroke.symmetry);
   centre_ = relativeTo(origin_, stroke.symmetry.centre, scale.spacing);
+  Field<Side> field{{}, scale};
+  if (stroke.placement.toNormal) field.tree = edit.tree();
+  placer_ = std::make_unique<Placer<Side>>(stroke.placement, tool_, field, origin_);
   path_.emplace(relative(stroke.points), stroke.spacing * smallest(tool_.radii));
   count_ = countOf(*path_);
+}
+
+template <int Side>
+StrokeRunner<Side>::~StrokeRunner() = default;
+
+template <int Side>
+std::unique_ptr<Potential> StrokeRunner<Side>::potentialOf(const ToolShape& tool) const {
+  if (options_.kind != ActionKind::stamp) return makePotential(tool);
+  return makeStampPotential(tool, options_.stamp, scale_.iso);
+}
+
+template <int Side>
+std::int64_t StrokeRunner<Side>::sureDabs() const {
+  return placer_->sureOf(path_->sure());
 }
 
 template <int Side>
@@ -75,12 +89,12 @@ std::vector<StrokePath::Sample> StrokeRunner<Side>::relative(
     std::span<const StrokePoint> points) const {
   std::vector<StrokePath::Sample> samples;
   for (const StrokePoint& point : points) {
-    cellOf(point.position, spacing_, "stroke point");
+    cellOf(point.position, scale_.spacing, "stroke point");
     if (!(point.pressure >= 0 && point.pressure <= 1)) {
       throw Error("stroke pressure: " + std::to_string(point.pressure) +
                   " found, a number in 0…1 expected");
     }
-    samples.push_back({relativeTo(origin_, point.position, spacing_), point.pressure});
+    samples.push_back({relativeTo(origin_, point.position, scale_.spacing), point.pressure});
   }
   requireRoom(samples);
   return samples;
@@ -89,52 +103,78 @@ std::vector<StrokePath::Sample> StrokeRunner<Side>::relative(
 template <int Side>
 std::int64_t StrokeRunner<Side>::countOf(const StrokePath& path) const {
   const double count = path.count();
-  if (!(count * static_cast<double>(images_.size()) <= static_cast<double>(kMostDabs))) {
-    throw Error("stroke: " + std::to_string(count) + " dabs × " + std::to_string(images_.size()) +
+  const std::size_t images = images_.size() * placer_->copies().size();
+  if (!(count * static_cast<double>(images) <= static_cast<double>(kMostDabs))) {
+    throw Error("stroke: " + std::to_string(count) + " dabs × " + std::to_string(images) +
                 " images found, at most 10 million expected");
   }
-  return static_cast<std::int64_t>(count);
+  return placer_->countOf(static_cast<std::int64_t>(count));
 }
 
 // Dabs between points lie between their boxes.
 template <int Side>
 void StrokeRunner<Side>::requireRoom(const std::vector<StrokePath::Sample>& points) const {
   for (const StrokePath::Sample& point : points)
-    for (const DabPose& pose : imagesOf(poseAt({point.position, 1}), tool_.shape, images_, centre_))
+    for (const DabPose& pose : posesOf({point.position, glm::mat3_cast(tool_.rotation)}))
       dabBox(influenceOf(*potential_, pose));
 }
 
 template <int Side>
-ToolShape StrokeRunner<Side>::sized(double pressure) const {
+ToolShape StrokeRunner<Side>::sized(double factor) const {
   ToolShape shape = tool_;
-  if (!pressure_.size) return shape;
+  if (factor == 1) return shape;
   if (shape.shape == Shape::freeform) {
-    shape.radii *= std::max(pressure, smallestFactor(tool_));
+    shape.radii *= std::max(factor, smallestFactor(tool_));
   } else {
-    shape.radii = glm::max(tool_.radii * pressure, kSmallestToolCells);
+    shape.radii = glm::max(tool_.radii * factor, kSmallestToolCells);
   }
   return shape;
 }
 
+// The dab, its copies and their images.
 template <int Side>
-DabPose StrokeRunner<Side>::poseAt(const StrokePath::Sample& sample) const {
-  DabPose pose{origin_, sample.position, glm::mat3_cast(tool_.rotation),
-               sized(sample.pressure).radii};
-  if (tool_.shape == Shape::freeform) putOnPivot(*tool_.sculpture, pose);
-  return pose;
+std::vector<DabPose> StrokeRunner<Side>::posesOf(const Standing& standing) const {
+  std::vector<DabPose> poses;
+  for (const glm::dvec3& copy : placer_->copies()) {
+    DabPose pose{origin_, standing.position + copy, standing.orientation,
+                 sized(standing.factor).radii};
+    if (tool_.shape == Shape::freeform) putOnPivot(*tool_.sculpture, pose);
+    const auto images = imagesOf(pose, tool_.shape, images_, centre_);
+    poses.insert(poses.end(), images.begin(), images.end());
+  }
+  return poses;
+}
+
+template <int Side>
+void StrokeRunner<Side>::makeDab(const Standing& standing, double strength, DabReport& report) {
+  if (standing.factor != factor_) {
+    potential_ = potentialOf(sized(standing.factor));
+    factor_ = standing.factor;
+  }
+  const bool conserving = options_.kind == ActionKind::stamp && options_.stamp.conserving;
+  const ToolShape tool = sized(standing.factor);
+  for (const DabPose& pose : posesOf(standing)) {
+    if (conserving) {
+      ConservingStamp<Side>(*edit_,
+                            {pose, tool, clamped(options_.stamp, scale_.iso), scale_.iso, strength})
+          .apply(report);
+    } else {
+      walker_.apply({pose, potential_.get(), action_.get(), static_cast<float>(strength)}, report);
+    }
+  }
 }
 
 template <int Side>
 DabReport StrokeRunner<Side>::dab(std::int64_t n) {
   DabReport report;
-  const StrokePath::Sample sample = path_->at(n);
-  const double strength = pressure_.strength ? strength_ * sample.pressure : strength_;
-  if (strength <= 0 || (pressure_.size && sample.pressure <= 0)) return report;
-  if (pressure_.size) potential_ = makePotential(sized(sample.pressure));
+  const double pressure = path_->at(n).pressure;
+  const double strength = pressure_.strength ? options_.strength * pressure : options_.strength;
+  if (strength <= 0 || (pressure_.size && pressure <= 0)) return report;
   try {
-    for (const DabPose& pose : imagesOf(poseAt(sample), tool_.shape, images_, centre_)) {
-      walker_.apply({pose, potential_.get(), action_.get(), static_cast<float>(strength)}, report);
-    }
+    Standing standing = placer_->at(*path_, n);
+    if (standing.skipped) return report;
+    if (pressure_.size) standing.factor *= pressure;
+    makeDab(standing, strength, report);
   } catch (...) {
     edit_->rollback();
     throw;

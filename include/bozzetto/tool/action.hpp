@@ -6,6 +6,7 @@
 
 #include "bozzetto/field/changed_run.hpp"
 #include "bozzetto/field/corner_block.hpp"
+#include "bozzetto/tool/stamp.hpp"
 
 namespace bozzetto {
 
@@ -16,12 +17,26 @@ namespace bozzetto {
 ///   paint       colour ← tool's where p > 0
 ///   paintSoft   colour blended with weight s·p / (s·p + v)
 ///   smooth      v ← v + s·p·(lowpass(v) − v), colour likewise weighted by density
+///   stamp       v ← clamp(v + s·def(d)); the bulge rises from clay only (stamp.hpp)
 ///   hold        hold grows by s·p of what is left to 255; the clay stays
 ///   push, grip, swell   move clay: strokes of these are made by clay/stroke.hpp
 /// The hard ones, erase and paint, ignore s and act where hold < 128.
-enum class ActionKind { add, remove, erase, paint, paintSoft, smooth, hold, push, grip, swell };
+enum class ActionKind {
+  add,
+  remove,
+  erase,
+  paint,
+  paintSoft,
+  smooth,
+  stamp,
+  hold,
+  push,
+  grip,
+  swell
+};
 
-/// "add", "remove", "erase", "paint", "paint_soft", "smooth", "hold", "push", "grip", "swell".
+/// "add", "remove", "erase", "paint", "paint_soft", "smooth", "stamp", "hold", "push", "grip",
+/// "swell".
 std::string_view toText(ActionKind kind);
 std::optional<ActionKind> actionNamed(std::string_view name);
 
@@ -33,6 +48,7 @@ struct ActionOptions {
   double strength = 0.5;    ///< 0…1 per dab
   Colour colour;            ///< what add and the paints give
   bool ownColours = false;  ///< or those of the tool, where it has some (freeform)
+  StampOptions stamp{};
 };
 
 /// Throws Error unless the strength is in 0…1.
@@ -98,6 +114,7 @@ class Action {
   virtual bool wantsColours() const { return false; }
 };
 
-std::unique_ptr<Action> makeAction(const ActionOptions& options);
+/// `iso` is for the stamp.
+std::unique_ptr<Action> makeAction(const ActionOptions& options, double iso = 0.5);
 
 }  // namespace bozzetto

@@ -10,6 +10,7 @@
 
 #include "bozzetto/base/progress.hpp"
 #include "bozzetto/tool/dab.hpp"
+#include "bozzetto/tool/placement.hpp"
 #include "bozzetto/tool/symmetry.hpp"
 
 namespace bozzetto {
@@ -32,6 +33,7 @@ struct Stroke {
   double spacing = 0.25;  ///< between dabs, × the tool's smallest radius; > 0
   PressureTargets pressure;
   Symmetry symmetry;
+  Placement placement{};
 };
 
 inline constexpr std::int64_t kMostDabs = 10'000'000;
@@ -56,12 +58,17 @@ class StrokePath {
   /// How many of these stay as they are however the line goes on.
   std::int64_t sure() const;
   Sample at(std::int64_t n) const;
+  const Sample& last() const { return points_.back(); }  ///< of the points
+  double step() const { return step_; }
 
  private:
   std::vector<Sample> points_;
   std::vector<double> distance_;  // along the line, of every point
   double step_;
 };
+
+template <int Side>
+class Placer;
 
 /// A stroke that is made dab by dab, so that a window can show each one. The caller owns the edit
 /// and commits it; when something throws, the edit has been rolled back.
@@ -72,14 +79,15 @@ class StrokeRunner {
   /// for more than 10 million dabs and for boxes beyond the workspace.
   StrokeRunner(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, const ToolShape& tool,
                const ActionOptions& action, const Stroke& stroke);
+  ~StrokeRunner();
 
   /// Goes on through these points, while the stroke is drawn: the dabs are those of a stroke that
   /// had them from the start. Throws Error as for those and leaves the stroke as it was.
   void extend(std::span<const StrokePoint> points);
 
-  std::int64_t dabCount() const { return count_; }         ///< symmetric images not counted
-  std::int64_t sureDabs() const { return path_->sure(); }  ///< those that `extend` cannot move
-  const std::string& notice() const { return notice_; }    ///< about the tool; may be empty
+  std::int64_t dabCount() const { return count_; }       ///< symmetric images not counted
+  std::int64_t sureDabs() const;                         ///< those that `extend` cannot move
+  const std::string& notice() const { return notice_; }  ///< about the tool; may be empty
 
   /// Makes the n-th dab and its images.
   DabReport dab(std::int64_t n);
@@ -88,24 +96,28 @@ class StrokeRunner {
   void step(Progress& progress, std::int64_t n);
 
  private:
-  DabPose poseAt(const StrokePath::Sample& sample) const;
-  ToolShape sized(double pressure) const;
+  std::unique_ptr<Potential> potentialOf(const ToolShape& tool) const;
+  std::vector<DabPose> posesOf(const struct Standing& standing) const;
+  void makeDab(const Standing& standing, double strength, DabReport& report);
+  ToolShape sized(double factor) const;
   std::vector<StrokePath::Sample> relative(std::span<const StrokePoint> points) const;
   void requireRoom(const std::vector<StrokePath::Sample>& points) const;
   std::int64_t countOf(const StrokePath& path) const;
 
   Edit<CornerBlock<Side>>* edit_;
-  double spacing_;
+  FieldScale scale_;
   DabWalker<Side> walker_;
   ToolShape tool_;  // radii in cells
   std::unique_ptr<Potential> potential_;
   std::unique_ptr<Action> action_;
-  double strength_;
+  double factor_ = 1;  // of the size that the potential is for
+  ActionOptions options_;
   PressureTargets pressure_;
   std::string notice_;
   Key origin_;
   std::vector<glm::dmat3> images_;
   glm::dvec3 centre_;
+  std::unique_ptr<const Placer<Side>> placer_;
   std::optional<StrokePath> path_;
   std::int64_t count_ = 0;
 };

@@ -1,0 +1,100 @@
+#include "bozzetto/io/relief.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bozzetto/base/error.hpp"
+
+namespace bozzetto {
+namespace {
+
+// Black lies so many cells under the plane, so that edges are as steep as others.
+constexpr double kBlack = 2;
+
+// The surface over the plane, in cells.
+class Heights {
+ public:
+  Heights(const GreyImage& image, double pixelsPerCell, double white)
+      : image_(&image), pixels_(pixelsPerCell), white_(white) {}
+
+  // Mean of the pixels of a cell, bilinear where cells are smaller.
+  double at(double x, double y) const {
+    const int samples = std::max(1, static_cast<int>(std::ceil(pixels_)));
+    double sum = 0;
+    for (int i = 0; i < samples; ++i)
+      for (int j = 0; j < samples; ++j) {
+        const double u = x + ((i + 0.5) / samples - 0.5), v = y + ((j + 0.5) / samples - 0.5);
+        sum += grey(0.5 * image_->width + u * pixels_, 0.5 * image_->height - v * pixels_);
+      }
+    return sum / (samples * samples) * (white_ + kBlack) - kBlack;
+  }
+
+ private:
+  double pixel(int x, int y) const {
+    const bool inside = x >= 0 && y >= 0 && x < image_->width && y < image_->height;
+    return inside ? static_cast<double>(image_->at(x, y)) : 0;
+  }
+  double grey(double x, double y) const {
+    x -= 0.5;
+    y -= 0.5;
+    const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+    const double s = x - i, t = y - j;
+    return (1 - t) * ((1 - s) * pixel(i, j) + s * pixel(i + 1, j)) +
+           t * ((1 - s) * pixel(i, j + 1) + s * pixel(i + 1, j + 1));
+  }
+
+  const GreyImage* image_;
+  double pixels_, white_;
+};
+
+void requireValid(const GreyImage& image, const ReliefOptions& o) {
+  const bool sound = o.width > 0 && o.height > 0 && o.spacing > 0 && std::isfinite(o.width) &&
+                     std::isfinite(o.height) && std::isfinite(o.spacing);
+  if (!sound || image.width < 1 || image.height < 1) {
+    throw Error("relief: width, height and spacing above 0 expected");
+  }
+  const double across = o.width / o.spacing;
+  const double cells = across * (across * image.height / image.width) * (o.height / o.spacing + 3);
+  if (!(cells <= 1 << 28)) throw Error("relief: more than 2^28 cells; a larger spacing expected");
+}
+
+void raiseColumn(Edit<CornerBlock<8>>& edit, const Heights& heights, Key foot, Attributes colour) {
+  using Geometry = BlockGeometry<8>;
+  const int i = foot.i, j = foot.j;
+  const double h = heights.at(i, j);
+  const double dx = 0.5 * (heights.at(i + 1, j) - heights.at(i - 1, j));
+  const double dy = 0.5 * (heights.at(i, j + 1) - heights.at(i, j - 1));
+  const double along = 1 / std::sqrt(1 + dx * dx + dy * dy);
+  for (int k = -1; k <= h + 1 / along + 1; ++k) {
+    const double distance = std::max((k - h) * along, -double(k));
+    const double value = std::clamp(0.5 - distance / 2, 0.0, 1.0);
+    if (!(value > 0)) continue;
+    const Key corner{i, j, k};
+    CornerBlock<8>& block = edit.write(Geometry::blockOf(corner));
+    const auto at = static_cast<std::size_t>(Geometry::indexOf(corner));
+    block.value[at] = static_cast<float>(value);
+    block.attributes[at] = colour;
+  }
+}
+
+}  // namespace
+
+Clay relief(const GreyImage& image, const ReliefOptions& options) {
+  requireValid(image, options);
+  const double across = options.width / options.spacing;
+  const double up = across * image.height / image.width;
+  const Heights heights(image, image.width / across, options.height / options.spacing);
+  const int wide = static_cast<int>(std::ceil(across / 2)) + 1;
+  const int tall = static_cast<int>(std::ceil(up / 2)) + 1;
+  const Attributes colour = packAttributes(options.colour);
+  Clay clay;
+  clay.scale.spacing = options.spacing;
+  Edit<CornerBlock<8>> edit(clay.tree);
+  for (int i = -wide; i <= wide; ++i)
+    for (int j = -tall; j <= tall; ++j) raiseColumn(edit, heights, {i, j, 0}, colour);
+  edit.commit();
+  if (clay.tree.empty()) throw Error("relief: the picture is black, some grey expected");
+  return clay;
+}
+
+}  // namespace bozzetto

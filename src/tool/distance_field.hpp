@@ -1,0 +1,37 @@
+// Distances to a sculpted tool's surface, outside of it, on a grid of their own.
+#pragma once
+#include <vector>
+
+#include "bozzetto/field/field.hpp"
+
+namespace bozzetto {
+
+/// Made once for a tool: O(cells of its box and `reach` cells round it).
+class DistanceField {
+ public:
+  DistanceField(const Clay& clay, const KeyBox& bounds, float iso, int reach);
+
+  /// In cells, trilinear; `place` in cells from low(). Beyond the grid the nearest value.
+  float at(float x, float y, float z) const;
+  const Key& low() const { return low_; }
+
+ private:
+  std::size_t index(int i, int j, int k) const {
+    return (static_cast<std::size_t>(i) * static_cast<std::size_t>(wide_[1]) +
+            static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(wide_[2]) +
+           static_cast<std::size_t>(k);
+  }
+  void readDensity(const Clay& clay);
+  void beginAtSurface(float iso);
+  void sweep();
+  void relax(int i, int j, int k);
+  float nearest(int i, int j, int k, int axis) const;
+
+  Key low_;
+  std::array<int, 3> wide_{};
+  std::vector<float> density_, distance_;
+  std::vector<bool> fixed_;
+};
+
+}  // namespace bozzetto

@@ -1,0 +1,234 @@
+#include "tool/stamp_depth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tool/block_rows.hpp"
+#include "tool/distance.hpp"
+#include "tool/freeform.hpp"
+#include "tool/gauge.hpp"
+#include "tool/trilinear.hpp"
+
+namespace bozzetto {
+namespace {
+
+/// Distance to the tool's surface ÷ its reference radius, of corners outside; inside anything ≥ 0.
+class Outside {
+ public:
+  virtual ~Outside() = default;
+  virtual void evaluate(const LocalFrame& frame, Key first, int side, float* distance) const = 0;
+};
+
+template <class Distance>
+struct DistanceRule {
+  Distance distance;
+  float rx, ry, rz, rounding, scale;
+  BOZZETTO_KERNEL float operator()(float x, float y, float z) const {
+    return positive(distance(x * rx, y * ry, z * rz) - rounding) * scale;
+  }
+};
+
+template <class Distance>
+class PrimitiveOutside final : public Outside {
+ public:
+  PrimitiveOutside(const Distance& distance, const glm::dvec3& radii, double rounding, double R)
+      : rule_{distance,       float(radii.x),  float(radii.y),
+              float(radii.z), float(rounding), static_cast<float>(1 / R)} {}
+  void evaluate(const LocalFrame& frame, Key first, int side, float* distance) const override {
+    forRows({frame, first}, side, rule_, distance);
+  }
+
+ private:
+  DistanceRule<Distance> rule_;
+};
+
+// u of the surface: where the profile falls to iso.
+double surfaceGauge(Profile profile, double iso) {
+  double low = 0, high = 1;
+  for (int n = 0; n < 50; ++n) {
+    const double u = 0.5 * (low + high);
+    const auto u2 = static_cast<float>(u * u);
+    const float p = profile == Profile::wyvill ? WyvillProfile{}(u2) : BoxProfile{}(u2);
+    (static_cast<double>(p) >= iso ? low : high) = u;
+  }
+  return low;
+}
+
+std::unique_ptr<Outside> primitiveOutside(const ToolShape& tool, double iso) {
+  const double u = surfaceGauge(tool.profile, iso), R = referenceRadius(tool);
+  const glm::dvec3 surface = u * tool.radii;
+  const auto make = [&](const auto& distance, double rounding) -> std::unique_ptr<Outside> {
+    using Distance = std::decay_t<decltype(distance)>;
+    return std::make_unique<PrimitiveOutside<Distance>>(distance, tool.radii, rounding, R);
+  };
+  if (tool.shape == Shape::box) {
+    const double smallest = std::min({surface.x, surface.y, surface.z});
+    const double rounding = BoxGauge::kRounding * smallest;
+    return make(BoxDistance(surface - rounding), rounding);
+  }
+  if (tool.shape == Shape::cylinder) return make(CylinderDistance<EllipsoidDistance>(surface), 0);
+  if (tool.shape == Shape::capsule) return make(CapsuleDistance<EllipsoidDistance>(surface), 0);
+  return make(EllipsoidDistance(surface), 0);
+}
+
+// The distance grid of a sculpture, fine enough and yet of at most some 128 cells a side.
+class FreeformOutside final : public Outside {
+ public:
+  FreeformOutside(const ToolShape& tool, const StampReach& reach)
+      : sculpture_(tool.sculpture), toolLevel_(levelFor(*sculpture_, tool.radii)) {
+    constexpr double widest = 128;
+    const glm::dvec3 half = sculpture_->halfExtents();
+    const double R = sculpture_->referenceRadius();
+    const double cells = 2 * (std::max({half.x, half.y, half.z}) + reach.rim * R + 2);
+    level_ = std::max(toolLevel_, static_cast<int>(std::ceil(std::log2(cells / widest))));
+    level_ = std::clamp(level_, 0, Sculpture::kLevels);
+    const double scale = std::ldexp(1.0, -level_);
+    const int rim = static_cast<int>(std::ceil(reach.rim * R * scale)) + 2;
+    distances_ = sculpture_->level(level_).outside(static_cast<float>(reach.iso), rim);
+    const Key base = baseOf(*sculpture_, toolLevel_);
+    const double shrink = std::ldexp(1.0, toolLevel_ - level_);
+    const Key low = distances_->low();
+    offset_ = shrink * glm::dvec3(base.i, base.j, base.k) - glm::dvec3(low.i, low.j, low.k);
+    perUnit_ = static_cast<float>(std::ldexp(shrink, -kFractionBits));
+    scale_ = static_cast<float>(1 / (R * scale));
+  }
+
+  void evaluate(const LocalFrame& frame, Key first, int side, float* distance) const override {
+    int n = 0;
+    for (int i = 0; i < side; ++i)
+      for (int j = 0; j < side; ++j)
+        for (int k = 0; k < side; ++k) {
+          const Key at = first + Key{i, j, k};
+          const auto place = [&](int axis) {
+            return static_cast<float>(positionOn(frame.fixed, axis, at)) * perUnit_ + offset_[axis];
+          };
+          distance[n++] = distances_->at(place(0), place(1), place(2)) * scale_;
+        }
+  }
+
+ private:
+  std::shared_ptr<const Sculpture> sculpture_;
+  std::shared_ptr<const DistanceField> distances_;
+  int toolLevel_, level_ = 0;
+  glm::vec3 offset_{0};
+  float perUnit_ = 0, scale_ = 0;
+};
+
+std::unique_ptr<Outside> makeOutside(const ToolShape& tool, const StampReach& reach) {
+  if (reach.profile == StampProfile::paper) return nullptr;
+  if (tool.shape == Shape::freeform) return std::make_unique<FreeformOutside>(tool, reach);
+  return primitiveOutside(tool, reach.iso);
+}
+
+class StampDepth final : public Potential {
+ public:
+  StampDepth(const ToolShape& tool, const StampReach& reach)
+      : tool_(makePotential(tool)),
+        outside_(makeOutside(tool, reach)),
+        radii_(tool.radii),
+        iso_(static_cast<float>(reach.iso)) {
+    reach_ = tool_->reach();
+    if (outside_ == nullptr) return;
+    double across = 1;  // cells of the clay to one of the tool's
+    if (tool.sculpture) {
+      const glm::dvec3 ratio = radii_ / tool.sculpture->halfExtents();
+      across = std::max({ratio.x, ratio.y, ratio.z});
+    }
+    const double R = tool.sculpture ? tool.sculpture->referenceRadius() : referenceRadius(tool);
+    const double inset = tool.sculpture ? 1 : surfaceGauge(tool.profile, reach.iso);
+    const glm::dvec3 wanted = inset * radii_ + reach.rim * R * across + 1.0;
+    reach_ = glm::max(reach_, wanted - radii_);
+  }
+
+  LocalFrame frame(const DabPose& pose) const override { return tool_->frame(pose); }
+  glm::dvec3 reach() const override { return reach_; }
+
+  bool misses(const LocalFrame& frame, Key low, Key high) const override {
+    for (int axis = 0; axis < 3; ++axis) {
+      double centre = frame.first[axis], extent = 0;
+      for (const Axis grid : kAxes) {
+        const double step = frame.step[index(grid)][axis];
+        centre += 0.5 * (double(low[grid]) + double(high[grid])) * step;
+        extent += 0.5 * (double(high[grid]) - double(low[grid])) * std::abs(step);
+      }
+      if (std::abs(centre) - extent > 1.0001 + reach_[axis] / radii_[axis]) return true;
+    }
+    return false;
+  }
+
+  void evaluate(const LocalFrame& frame, Key first, int side, float* depth) const override {
+    const int count = side * side * side;
+    alignas(64) float distance[512];
+    tool_->evaluate(frame, first, side, depth);
+    if (outside_ != nullptr) outside_->evaluate(frame, first, side, distance);
+    for (int n = 0; n < count; ++n) {
+      const float p = depth[n];
+      const bool far = outside_ != nullptr && p < iso_;
+      depth[n] = far ? (1 - iso_) + distance[n] : 1 - p;
+    }
+  }
+
+ private:
+  std::unique_ptr<Potential> tool_;
+  std::unique_ptr<Outside> outside_;
+  glm::dvec3 radii_, reach_;
+  float iso_;
+};
+
+// def(d), in float.
+class StampPotential final : public Potential {
+ public:
+  StampPotential(const ToolShape& tool, const StampOptions& options, double iso)
+      : depth_(makeStampDepth(tool, {options.profile, iso, options.rise + options.fall})),
+        curve_(options, iso) {}
+  LocalFrame frame(const DabPose& pose) const override { return depth_->frame(pose); }
+  glm::dvec3 reach() const override { return depth_->reach(); }
+  bool misses(const LocalFrame& frame, Key low, Key high) const override {
+    return depth_->misses(frame, low, high);
+  }
+  void evaluate(const LocalFrame& frame, Key first, int side, float* def) const override {
+    depth_->evaluate(frame, first, side, def);
+    const int count = side * side * side;
+    for (int n = 0; n < count; ++n)
+      def[n] = static_cast<float>(curve_(static_cast<double>(def[n])));
+  }
+
+ private:
+  std::unique_ptr<Potential> depth_;
+  StampCurve curve_;
+};
+
+}  // namespace
+
+double referenceRadius(const ToolShape& tool) {
+  const glm::dvec3& r = tool.radii;
+  const double box = r.x * r.y * r.z;
+  switch (tool.shape) {
+    case Shape::ellipsoid:
+      return std::cbrt(box);
+    case Shape::box:
+      return std::cbrt(box * 6 / 3.14159265358979323846);
+    case Shape::cylinder:
+      return std::cbrt(box * 1.5);
+    case Shape::capsule: {
+      const double cap = std::min(r.y, std::sqrt(r.x * r.z));
+      return std::cbrt(r.x * r.z * (1.5 * (r.y - cap) + cap));
+    }
+    case Shape::freeform: {
+      const glm::dvec3 ratio = r / tool.sculpture->halfExtents();
+      return tool.sculpture->referenceRadius() * std::cbrt(ratio.x * ratio.y * ratio.z);
+    }
+  }
+  return 0;
+}
+
+std::unique_ptr<Potential> makeStampDepth(const ToolShape& tool, const StampReach& reach) {
+  return std::make_unique<StampDepth>(tool, reach);
+}
+
+std::unique_ptr<Potential> makeStampPotential(const ToolShape& tool, const StampOptions& options,
+                                              double iso) {
+  return std::make_unique<StampPotential>(tool, clamped(options, iso), iso);
+}
+
+}  // namespace bozzetto

@@ -1,0 +1,215 @@
+// The stamp: its curve, where it raises clay, what it weighs, and that undo takes it back.
+#include "bozzetto/base/simd.hpp"
+#include "bozzetto/tool/sculpture.hpp"
+#include "tool/tool_fixture.hpp"
+
+namespace bozzetto {
+namespace {
+
+using namespace testing;
+
+ActionOptions stampWith(const StampOptions& options = {}, double strength = 1) {
+  ActionOptions action{ActionKind::stamp, strength, kToolColour};
+  action.stamp = options;
+  return action;
+}
+
+// A block of clay whose top is the plane y = 0.
+template <int Side>
+Field<Side> slab(double wide = 40, double deep = 24) {
+  Field<Side> field;
+  const Primitive box{Shape::box, {0, -deep, 0}, {wide, deep, wide}, {1, 0, 0, 0}, kBallColour};
+  fillInto(field, box);
+  return field;
+}
+
+ToolShape sculpted(const Clay& clay) {
+  ToolShape tool;
+  tool.shape = Shape::freeform;
+  tool.sculpture = std::make_shared<Sculpture>(clay);
+  return tool;
+}
+
+// Where the surface is above (x, z), in cells.
+double heightAt(const Clay& clay, int x, int z) {
+  for (int y = 30; y > -60; --y) {
+    const double below = clay.value({x, y, z}), above = clay.value({x, y + 1, z});
+    if (below >= 0.5) return y + (below - 0.5) / (below - above);
+  }
+  return -60;
+}
+
+TEST(StampCurve, meetsItsNumbersAndIsSmooth) {
+  for (const double iso : {0.3, 0.5, 0.7}) {
+    const StampOptions options{.height = 0.4, .rise = 0.2, .fall = 0.35, .slope = 1.1};
+    const StampCurve curve(options, iso);
+    const double s = 1 - iso;
+    EXPECT_EQ(curve(0), -1);
+    EXPECT_NEAR(curve(s), 0, 1e-12);
+    EXPECT_NEAR(curve(s + 0.2), 0.4, 1e-12);
+    EXPECT_NEAR(curve(s + 0.55), 0, 1e-12);
+    EXPECT_EQ(curve(s + 0.6), 0);
+    const auto slope = [&](double d) { return (curve(d + 1e-6) - curve(d - 1e-6)) / 2e-6; };
+    EXPECT_NEAR(slope(s), 1.1, 1e-4);
+    EXPECT_NEAR(slope(s + 0.2), 0, 1e-4);
+    EXPECT_NEAR(slope(s + 0.55), 0, 1e-4);
+    for (double d = 0.01; d < 1.4; d += 0.01) {  // C¹: no jump of value or slope
+      EXPECT_NEAR(curve(d), curve(d + 1e-9), 1e-6);
+      EXPECT_NEAR(slope(d), slope(d + 1e-5), 3e-3) << d;
+    }
+  }
+}
+
+TEST(StampCurve, clampsWhatHasNoCurve) {
+  const StampOptions wild{.height = -1, .rise = 0, .fall = -3, .slope = 9};
+  const StampOptions made = clamped(wild, 0.5);
+  EXPECT_EQ(made.height, 0);
+  EXPECT_GT(made.rise, 0);
+  EXPECT_GT(made.fall, 0);
+  EXPECT_EQ(made.slope, 0);
+  const StampOptions paper{.rise = 0.6, .fall = 0.9, .profile = StampProfile::paper};
+  EXPECT_NEAR(clamped(paper, 0.5).rise + clamped(paper, 0.5).fall, 0.5, 1e-12);
+  EXPECT_NEAR(clamped(paper, 0.5).rise, 0.2, 1e-12);
+  StampOptions steep{.slope = 100};
+  EXPECT_NEAR(clamped(steep, 0.5).slope, 3 * 0.3 / 0.2, 1e-12);
+  steep.height = std::nan("");
+  EXPECT_THROW(clamped(steep, 0.5), Error);
+}
+
+TEST(Stamp, pressesIntoClayAndRaisesARim) {
+  for (const Shape shape : {Shape::ellipsoid, Shape::box, Shape::cylinder, Shape::capsule}) {
+    Clay clay = slab<8>();
+    ToolShape tool = ball(16);
+    tool.shape = shape;
+    stroke(clay, tool, stampWith(), lineOf({0, 6, 0}, {0, 0, 0}));
+    EXPECT_EQ(validate(clay), std::nullopt);
+    EXPECT_LT(heightAt(clay, 0, 0), -3) << toText(shape);
+    double crest = 0;
+    for (int x = 0; x < 39; ++x) crest = std::max(crest, heightAt(clay, x, 0));
+    EXPECT_GT(crest, 0.3) << toText(shape);
+    EXPECT_NEAR(heightAt(clay, 37, 37), 0, 1e-6) << toText(shape);
+  }
+}
+
+// The rim's width is what was asked for, in reference radii, for a sculpted tool too.
+TEST(Stamp, theRimIsAsWideAsAskedFor) {
+  const double radius = 12;
+  for (const double rim : {0.5, 1.0}) {
+    Clay clay = slab<8>(60);
+    StampOptions options;
+    options.rise = 0.4 * rim;
+    options.fall = 0.6 * rim;
+    stroke(clay, sculpted(clayBall<8>(radius)), stampWith(options), dabAt({0, 0, 0}));
+    int last = 0;
+    for (int x = 0; x < 59; ++x)
+      if (heightAt(clay, x, 0) > 0.005) last = x;
+    EXPECT_NEAR(last, radius * (1 + rim), 2.5) << rim;
+  }
+}
+
+TEST(Stamp, raisesNothingInTheAir) {
+  Clay clay = clayBall<8>(8, {60, 0, 0});
+  const auto before = fieldHash(clay);
+  stroke(clay, ball(16), stampWith(), dabAt({0, 0, 0}));
+  EXPECT_EQ(fieldHash(clay), before);
+  Clay low = slab<8>();
+  stroke(low, ball(16), stampWith(), dabAt({0, 4, 0}));
+  EXPECT_EQ(low.value({0, 12, 0}), 0);
+  EXPECT_EQ(low.value({14, 4, 0}), 0);
+}
+
+TEST(Stamp, raisedClayHasTheColourOfItsNeighbours) {
+  Clay clay = slab<8>();
+  stroke(clay, ball(16), stampWith(), lineOf({0, 6, 0}, {0, 0, 0}));
+  for (const auto& [key, sample] : samplesOf(clay))
+    EXPECT_EQ(sample.attributes, packAttributes(kBallColour)) << toText(key);
+}
+
+TEST(Stamp, undoGivesTheBytesBack) {
+  for (const bool conserving : {false, true}) {
+    Clay clay = slab<8>();
+    const auto before = fieldHash(clay);
+    StampOptions options;
+    options.conserving = conserving;
+    const auto made = stroke(clay, ball(14), stampWith(options), lineOf({-9, 2, 0}, {9, 2, 3}));
+    EXPECT_NE(fieldHash(clay), before);
+    made.delta.apply(clay.tree, Direction::backward);
+    EXPECT_EQ(fieldHash(clay), before);
+  }
+}
+
+TEST(Stamp, symmetricToolsLeaveSymmetricPrints) {
+  Clay clay = slab<8>();
+  Clay source = clayBall<8>(6);
+  fillInto(source, ballOf(3, {8, 0, 0}));
+  fillInto(source, ballOf(3, {-8, 0, 0}));
+  stroke(clay, sculpted(source), stampWith(), dabAt({0, 0, 0}));
+  const auto samples = samplesOf(clay);
+  for (const auto& [key, sample] : samples) {
+    const auto twin = samples.find({-key.i, key.j, key.k});
+    ASSERT_NE(twin, samples.end());
+    EXPECT_NEAR(twin->second.value, sample.value, 1e-4) << toText(key);
+  }
+}
+
+double massOf(const Clay& clay) { return double(massUnits(clay)) * kMassUnit; }
+
+TEST(Stamp, conservingStampsConserve) {
+  for (const double radius : {6.0, 14.0}) {
+    for (const bool freeform : {false, true}) {
+      Clay clay = slab<8>(60, 30);
+      const double before = massOf(clay);
+      StampOptions options;
+      options.conserving = true;
+      const ToolShape tool = freeform ? sculpted(clayBall<8>(radius / 2)) : ball(radius);
+      stroke(clay, tool, stampWith(options), lineOf({0, 5, 0}, {1, 0.5, 0}));
+      EXPECT_LT(heightAt(clay, 1, 0), -1);
+      EXPECT_NEAR(massOf(clay) / before, 1, 1e-9) << radius << freeform;
+      EXPECT_EQ(validate(clay), std::nullopt);
+    }
+  }
+}
+
+TEST(Stamp, conservingAndPlainDifferInMassOnly) {
+  Clay plain = slab<8>(60, 30), conserved = plain;
+  StampOptions options;
+  stroke(plain, ball(14), stampWith(options), dabAt({0, 0, 0}));
+  options.conserving = true;
+  stroke(conserved, ball(14), stampWith(options), dabAt({0, 0, 0}));
+  EXPECT_LT(massOf(plain), massOf(conserved));
+  for (int y = -12; y < 0; ++y)
+    EXPECT_EQ(plain.value({0, y, 0}), conserved.value({0, y, 0}));  // the print is the same
+}
+
+TEST(Stamp, pressedThroughAThinPlateWhatFindsNoRoomIsMissing) {
+  Clay crumb = clayBall<8>(2);
+  StampOptions options;
+  options.conserving = true;
+  stroke(crumb, ball(20), stampWith(options), dabAt({0, 0, 0}));
+  EXPECT_LT(massOf(crumb), 30);
+}
+
+TEST(Stamp, sidesAndInstructionSetsAgreeToTheBit) {
+  const auto session = [&]<int Side>() {
+    Field<Side> field = slab<Side>(26, 12);
+    StampOptions options;
+    const ToolShape tools[] = {ball(9), oblique(Shape::box), oblique(Shape::capsule),
+                               sculpted(clayBall<8>(5.3, {1, 2, 0}))};
+    for (int n = 0; n < 8; ++n) {
+      options.conserving = n == 5 || n == 7;
+      options.profile = n == 2 ? StampProfile::paper : StampProfile::radius;
+      stroke(field, tools[n % 4], stampWith(options, 0.8),
+             lineOf({4.0 * n - 14, 2, -5}, {4.0 * n - 12, 1, 4}));
+    }
+    EXPECT_EQ(validate(field), std::nullopt);
+    return fieldHash(field);
+  };
+  const auto eight = session.template operator()<8>();
+  EXPECT_EQ(session.template operator()<1>(), eight);
+  forbidSimd(true);
+  EXPECT_EQ(session.template operator()<8>(), eight);
+  forbidSimd(false);
+}
+
+}  // namespace
+}  // namespace bozzetto
