@@ -258,6 +258,11 @@ class Loop {
 }  // namespace ui
 
 void runWindow(const WindowOptions& given) {
+  // A name for a scene that is to be; anything else is a slip of the fingers.
+  if (!given.scene.empty() && given.scene.extension() != ".bzt" &&
+      !std::filesystem::exists(given.scene)) {
+    throw Error(given.scene.string() + ": no such scene, and no command of bozzetto");
+  }
   const ui::Library library;
   const ui::WindowHandle window = ui::openWindow("bozzetto");
   ui::Session::Options options;

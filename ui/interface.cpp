@@ -62,12 +62,8 @@ void Interface::feedPointer(const PointerMoved& event) {
   ImGui::GetIO().MousePos = {float(event.at.x), float(event.at.y)};
   movedNow_ = true;
   const bool captured = session_->gesture() != Gesture::none;
-  if (captured || !panelsHavePointer()) {
-    session_->pointer(event);
-  } else {
-    session_->leave();
-    session_->touch();
-  }
+  session_->pointer(event);
+  if (!captured && panelsHavePointer()) session_->leave();
 }
 
 // False: wait for the next frame, when ImGui knows what the pointer is over.

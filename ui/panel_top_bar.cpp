@@ -62,9 +62,10 @@ void menus(Session& session) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
   const auto menu = [&](const char* name, auto fill) {
     if (!ImGui::BeginMenu(name)) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(8), px(5)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8), px(7)});
     fill();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     ImGui::EndMenu();
   };
   menu("File", [&] { fileMenu(session); });
@@ -172,7 +173,6 @@ void drawTopBar(const PanelContext& context) {
   const float high = float(at.height());
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(4), (high - fonts().regular->FontSize) / 2});
   ImGui::Begin("top", nullptr, kFixed | ImGuiWindowFlags_MenuBar);
-  ImGui::PopStyleVar(2);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float middle = float(at.centre().y);
   if (ImGui::BeginMenuBar()) {
@@ -187,6 +187,7 @@ void drawTopBar(const PanelContext& context) {
     documentName(context.session, menusEnd, left, middle);
     ImGui::EndMenuBar();
   }
+  ImGui::PopStyleVar(2);
   ImGui::End();
   ImGui::PopStyleColor();
 }
