@@ -10,6 +10,7 @@
 #include "bozzetto/sculptor/recording.hpp"
 #include "bozzetto/sculptor/replay.hpp"
 #include "bozzetto/sculptor/session.hpp"
+#include "bozzetto/solid/solid_codec.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/subcommands.hpp"
 
@@ -60,8 +61,10 @@ std::vector<OperationReport> replayToFile(const Arguments& arguments, const Reco
   ReplayOptions options;
   options.upkeep = upkeepFor(arguments);
   if (arguments.spacing != 0) options.spacing = arguments.spacing;
+  options.solid = decodeSolid(document.parts.solid, arguments.from);
   ReplayResult result = replay(recording, document.field, options, progress);
   document.field = std::move(result.field);
+  document.parts.solid = encodeSolid(result.solid);
   document.parts.thumbnail = thumbnailOf(document.field);
   saveScene(arguments.out, document, progress);
   return std::move(result.reports);
@@ -83,7 +86,9 @@ std::vector<OperationReport> replayInPlace(const Arguments& arguments, const Rec
     fmt::print("done {}\n", number);
     std::fflush(stdout);
   };
+  session.sculptor().place(decodeSolid(session.parts.solid, arguments.on));
   auto reports = replay(recording, session.sculptor(), progress, tell);
+  session.parts.solid = encodeSolid(session.sculptor().solid());
   session.parts.thumbnail = thumbnailOf(session.sculptor().field());
   session.save(progress);
   return reports;

@@ -5,6 +5,7 @@
 
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/base/parallel.hpp"
+#include "bozzetto/solid/solid_codec.hpp"
 #include "scene/chunk_codec.hpp"
 #include "scene/database.hpp"
 #include "scene/layout.hpp"
@@ -133,7 +134,7 @@ void readParts(const Database& database, const std::vector<Row>& rows, Document&
     const Row& row = rows[n];
     const std::string name = rowName(database, Table::parts, row.id);
     requireHash(name, Table::parts, row);
-    if (n >= 3 || row.id != static_cast<std::int64_t>(n) + 1) throw Error(name + ": unknown part");
+    if (n >= 4 || row.id != static_cast<std::int64_t>(n) + 1) throw Error(name + ": unknown part");
     if (row.id == static_cast<std::int64_t>(Part::head)) {
       SceneHead head = decodeHead(row.content, name);
       document.field.scale = head.scale;
@@ -146,9 +147,13 @@ void readParts(const Database& database, const std::vector<Row>& rows, Document&
     if (row.id == static_cast<std::int64_t>(Part::thumbnail)) {
       document.parts.thumbnail = checkedThumbnail(row.content, name);
     }
+    if (row.id == static_cast<std::int64_t>(Part::solid)) {
+      if (decodeSolid(row.content, name) == nullptr) throw Error(name + ": no solid found");
+      document.parts.solid = row.content;
+    }
   }
-  if (rows.size() != 3) {
-    throw Error(database.name() + ": " + std::to_string(rows.size()) + " parts, 3 expected");
+  if (rows.size() < 3) {
+    throw Error(database.name() + ": " + std::to_string(rows.size()) + " parts, 3 or 4 expected");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bozzetto/base/parallel.hpp"
+#include "bozzetto/solid/solid_codec.hpp"
 #include "scene/layout.hpp"
 #include "scene/page_check.hpp"
 #include "scene/parts_codec.hpp"
@@ -65,6 +66,12 @@ std::size_t writeParts(Database& database, const Document& document) {
   bytes += rows.put(static_cast<std::int64_t>(Part::view), view);
   bytes += rows.put(static_cast<std::int64_t>(Part::thumbnail),
                     checkedThumbnail(parts.thumbnail, name + ": cannot save thumbnail"));
+  decodeSolid(parts.solid, name + ": cannot save solid");
+  if (parts.solid.empty()) {
+    rows.erase(static_cast<std::int64_t>(Part::solid));
+  } else {
+    bytes += rows.put(static_cast<std::int64_t>(Part::solid), parts.solid);
+  }
   database.run("DELETE FROM shelf");
   RowWriter shelf(database, Table::shelf);
   for (std::size_t n = 0; n < parts.shelf.size(); ++n) {

@@ -8,6 +8,11 @@ glm::dvec3 readVector(JsonObject& object, const char* key, std::array<double, 3>
   return {numbers[0], numbers[1], numbers[2]};
 }
 
+glm::dvec3 readRequiredVector(JsonObject& object, const char* key) {
+  object.required(key);
+  return readVector(object, key, {0, 0, 0});
+}
+
 glm::dquat readRotation(JsonObject& object) {
   const auto wxyz = object.numbers<4>("rotation", {1, 0, 0, 0});
   return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};

@@ -40,10 +40,12 @@ std::span<const OperationFormat> strokeFormats();
 std::span<const OperationFormat> historyFormats();
 std::span<const OperationFormat> solidFormats();
 std::span<const OperationFormat> clayFormats();
+std::span<const OperationFormat> solidToolFormats();
 
 // Values that many operations have.
 glm::dvec3 readVector(JsonObject& object, const char* key, std::array<double, 3> fallback);
 glm::dquat readRotation(JsonObject& object);
+glm::dvec3 readRequiredVector(JsonObject& object, const char* key);
 Shape readShape(JsonObject& object);
 Colour readColour(JsonObject& object);
 Axis readAxis(JsonObject& object, const char* key);

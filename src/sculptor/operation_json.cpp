@@ -13,8 +13,8 @@ namespace {
 const std::vector<OperationFormat>& formats() {
   static const std::vector<OperationFormat> all = [] {
     std::vector<OperationFormat> rows;
-    for (const auto family :
-         {sceneFormats, toolFormats, strokeFormats, historyFormats, solidFormats, clayFormats}) {
+    for (const auto family : {sceneFormats, toolFormats, strokeFormats, historyFormats,
+                              solidFormats, solidToolFormats, clayFormats}) {
       for (const OperationFormat& row : family()) rows.push_back(row);
     }
     std::ranges::sort(rows, {}, &OperationFormat::index);

@@ -73,9 +73,10 @@ ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOpt
     start = resample(from, *options.spacing, {}, progress);
   }
   Sculptor sculptor(std::move(start), options.upkeep);
+  sculptor.place(options.solid);
 
   auto reports = replay(recording, sculptor, progress);
-  return {sculptor.field(), std::move(reports)};
+  return {sculptor.field(), sculptor.solid(), std::move(reports)};
 }
 
 OperationReport totalOf(const std::vector<OperationReport>& reports) {

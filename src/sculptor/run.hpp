@@ -55,6 +55,39 @@ void run(const HoldOperation& operation, Workbench<Side>& bench, const Telling& 
 template <int Side>
 void run(const ReleaseOperation& operation, Workbench<Side>& bench, const Telling& telling);
 
+template <int Side>
+void run(const SolidFromClayOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidCarveOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidExtrudeOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidJoinOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidSubdivideOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidSharpOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidPullOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidRunOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidSplineOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidPaintOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidInflateOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidTrimOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidWindowOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidRestOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidSettingsOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SolidProbeOperation& operation, Workbench<Side>& bench, const Telling& telling);
+
 /// At the end of a family's file.
 #define BOZZETTO_RUNS(Kind)                                      \
   template void run(const Kind&, Workbench<1>&, const Telling&); \

@@ -1,34 +1,15 @@
 // solid, solid_move, bake, wrap, wrap_apply, solid_drop.
 #include <fmt/format.h>
 
-#include "bozzetto/solid/solid.hpp"
-#include "sculptor/run.hpp"
+#include "sculptor/run_solid.hpp"
 #include "sculptor/timer.hpp"
 
 namespace bozzetto {
-namespace {
-
-template <int Side>
-const Solid& solidOf(const Workbench<Side>& bench, const char* op) {
-  if (bench.solid() == nullptr)
-    throw Error(fmt::format("{}: found no solid, expected one ('solid' or 'wrap' makes it)", op));
-  return *bench.solid();
-}
-
-// A step that changes the solid and no clay.
-template <int Side>
-void keepSolid(Workbench<Side>& bench, std::optional<Solid> solid, OperationReport& report) {
-  bench.setSolid(solid ? std::make_shared<const Solid>(std::move(*solid)) : nullptr);
-  Edit<CornerBlock<Side>> edit(bench.tree());
-  bench.keep(edit, report);
-}
-
-}  // namespace
 
 template <int Side>
 void run(const SolidOperation& operation, Workbench<Side>& bench, const Telling& telling) {
   NamedLattice block = makeBlock(operation.block);
-  keepSolid(bench, Solid{std::move(block.lattice), std::move(block.names), {}}, telling.report);
+  keepSolid(bench, newSolid(std::move(block)), telling.report);
 }
 
 template <int Side>
@@ -61,7 +42,7 @@ template <int Side>
 void run(const WrapOperation& operation, Workbench<Side>& bench, const Telling& telling) {
   const auto box = operation.box ? *operation.box : clayBox(bench.field());
   NamedLattice block = wrapBlock(box[0], box[1], operation.cells);
-  Solid solid{std::move(block.lattice), std::move(block.names), {}};
+  Solid solid = newSolid(std::move(block));
   solid.wrapRest = solid.control.points;
   keepSolid(bench, std::move(solid), telling.report);
 }

@@ -155,7 +155,7 @@ TEST(ThirdParty, NoOtherWayToOpenGl) {
 
 TEST(Threads, LiveInBaseAndTheJournalOnly) {
   static const Names owners{"src/base/parallel.cpp", "src/base/background.cpp", "ui/worker.hpp",
-                            "src/history/journal.hpp"};
+                            "src/history/journal.hpp", "include/bozzetto/haptic/loop.hpp"};
   static const Names forbidden{"thread", "future",    "execution", "barrier",
                                "latch",  "semaphore", "pthread.h"};
   forEachInclude([](const TextFile& file, const Include& include) {

@@ -40,6 +40,19 @@ TEST(Recordings, everyFeatureReplaysTheSameOnAnyThreads) {
   EXPECT_GE(count, 10);
 }
 
+TEST(Recordings, SolidsReplayToSoundClaySlow) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(kRecordings / "solids")) {
+    if (entry.path().extension() != ".jsonl") continue;
+    const std::string name = entry.path().filename();
+    const ReplayResult result = replay(readRecording(entry.path()), {});
+    EXPECT_GT(statistics(result.field).corners, 5'000) << name;
+    expectSound(result.field, name);
+    ++count;
+  }
+  EXPECT_EQ(count, 7);
+}
+
 class Sculptures : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Sculptures, SlowReplayToSolidFigures) {

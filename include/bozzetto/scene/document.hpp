@@ -31,6 +31,7 @@ struct SceneParts {
   View view;
   std::vector<ShelfItem> shelf;
   Bytes thumbnail;  ///< a PNG, or empty
+  Bytes solid;      ///< the solid being worked on, as encodeSolid gives it, or empty
 
   friend bool operator==(const SceneParts&, const SceneParts&) = default;
 };

@@ -67,7 +67,13 @@ using Operation = std::variant<SceneOperation, FillOperation, ToolOperation, Act
                                StrokeOperation, UndoOperation, RedoOperation, GoToOperation,
                                ResampleOperation, SolidOperation, SolidMoveOperation, BakeOperation,
                                WrapOperation, WrapApplyOperation, SolidDropOperation, ClayOperation,
-                               RelaxOperation, SupportOperation, HoldOperation, ReleaseOperation>;
+                               RelaxOperation, SupportOperation, HoldOperation, ReleaseOperation,
+                               SolidFromClayOperation, SolidCarveOperation, SolidExtrudeOperation,
+                               SolidJoinOperation, SolidSubdivideOperation, SolidSharpOperation,
+                               SolidPullOperation, SolidRunOperation, SolidSplineOperation,
+                               SolidPaintOperation, SolidInflateOperation, SolidTrimOperation,
+                               SolidWindowOperation, SolidRestOperation, SolidSettingsOperation,
+                               SolidProbeOperation>;
 
 /// The "op" of an operation: "scene", "fill", …
 std::string_view nameOf(const Operation& operation);

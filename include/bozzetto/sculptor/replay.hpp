@@ -14,10 +14,12 @@ struct ReplayOptions {
   /// World units per cell in place of what the recording (or the clay it starts on) says. The clay
   /// is resampled first; later resample operations are scaled by the same factor.
   std::optional<double> spacing;
+  SolidRef solid;  ///< of the document it starts on
 };
 
 struct ReplayResult {
   Clay field;
+  SolidRef solid;                        ///< null when there is none
   std::vector<OperationReport> reports;  ///< one an operation
 };
 

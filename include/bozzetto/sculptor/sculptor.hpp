@@ -29,6 +29,8 @@ class BasicSculptor {
     return std::make_unique<LiveStroke<Side>>(bench_, std::move(stroke));
   }
 
+  /// The solid of a document just opened: no step of history.
+  void place(SolidRef solid) { bench_.placeSolid(std::move(solid)); }
   /// The solid being worked on; null when there is none.
   const SolidRef& solid() const { return bench_.solid(); }
 

@@ -61,6 +61,11 @@ class Workbench {
   const SolidRef& solid() const { return solid_; }
   /// What the solid is after the next `keep`, whose step remembers both.
   void setSolid(SolidRef solid) { nextSolid_ = std::move(solid); }
+  /// Puts a solid there without a step.
+  void placeSolid(SolidRef solid) {
+    solid_ = nextSolid_ = std::move(solid);
+    if (solid_) solids_[history_.place()] = solid_;
+  }
 
   Hand hand;
   clay::Setup clay;  ///< what strokes that move clay meet; no step of history

@@ -6,6 +6,7 @@
 
 #include "bozzetto/solid/block.hpp"
 #include "bozzetto/solid/lattice.hpp"
+#include "bozzetto/solid/physics.hpp"
 
 namespace bozzetto {
 
@@ -14,6 +15,9 @@ struct Solid {
   std::vector<Key> names;  ///< one a point: its place in the block it came from, or kNoName
   std::vector<glm::dvec3>
       wrapRest;  ///< of a wrap: its points where the clay is as it is; else empty
+
+  SolidSettings settings;
+  SolidMatter matter;
 
   static constexpr Key kNoName{-1, -1, -1};
 
