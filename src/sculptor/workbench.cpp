@@ -10,9 +10,8 @@ namespace {
 
 // Sorts what was noted dab by dab and leaves each once.
 void sortOnce(std::vector<Key>& noted) {
-  std::ranges::sort(noted);
-  const auto twins = std::ranges::unique(noted);
-  noted.erase(twins.begin(), twins.end());
+  std::sort(noted.begin(), noted.end());
+  noted.erase(std::unique(noted.begin(), noted.end()), noted.end());
 }
 
 // Where undo changed a long run and a dab a block of it, the longer one counts.
