@@ -160,10 +160,15 @@ void entryLine(FileDialog& state, int n, bool& accepted) {
   ImGui::PopID();
 }
 
+bool hasExtras(Dialog dialog) {
+  return dialog == Dialog::import || dialog == Dialog::exportMesh || dialog == Dialog::picture ||
+         dialog == Dialog::turntable;
+}
+
 bool fileList(FileDialog& state) {
   bool accepted = false;
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ink(tint::well));
-  ImGui::BeginChild("files", {0, -px(state.open == Dialog::open ? 84.f : 124.f)}, false,
+  ImGui::BeginChild("files", {0, -px(hasExtras(state.open) ? 84.f : 44.f)}, false,
                     ImGuiWindowFlags_NavFlattened);
   ImGui::Indent(px(8));
   ImGuiListClipper clipper;
