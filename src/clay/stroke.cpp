@@ -128,8 +128,12 @@ struct ClayStroke<Side>::State {
 
   bool fluid() const {
     const auto& layers = setup.settings.layers;
-    return setup.settings.stiffness <= kFluid ||
-           std::find(layers.begin(), layers.end(), LayerKind::displacement) == layers.end();
+    const auto runs = [&](LayerKind kind) {
+      return std::find(layers.begin(), layers.end(), kind) != layers.end();
+    };
+    if (doing.role == Role::swell) return true;
+    if (runs(LayerKind::diffusion) || runs(LayerKind::automaton)) return false;  // matter travels
+    return setup.settings.stiffness <= kFluid || !runs(LayerKind::displacement);
   }
 
   double radius() const { return std::max({tool.radii.x, tool.radii.y, tool.radii.z}); }
