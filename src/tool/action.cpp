@@ -10,8 +10,9 @@
 namespace bozzetto {
 namespace {
 
-constexpr std::array<std::string_view, 11> kNames{
-    "add", "remove", "erase", "paint", "paint_soft", "smooth", "stamp", "hold", "push", "grip", "swell"};
+constexpr std::array<std::string_view, 11> kNames{"add",        "remove", "erase", "paint",
+                                                  "paint_soft", "smooth", "stamp", "hold",
+                                                  "push",       "grip",   "swell"};
 
 BOZZETTO_KERNEL bool otherColourKernel(const BlockView& block, Attributes tool) {
   Attributes differs = 0;
