@@ -1,4 +1,6 @@
 // stroke in JSON.
+#include <algorithm>
+
 #include "sculptor/operation_format.hpp"
 
 namespace bozzetto {
@@ -62,6 +64,55 @@ std::vector<glm::dquat> readRotations(JsonObject& object) {
   return rotations;
 }
 
+Placement readPlacement(JsonObject& object) {
+  Placement placement;
+  if (object.has("orient")) {
+    const Json& list = object.required("orient");
+    if (!list.is_array()) object.fail("orient", "a list of \"normal\" and \"stroke\"");
+    for (const Json& name : list) {
+      if (name != "normal" && name != "stroke")
+        object.fail("orient", "a list of \"normal\" and \"stroke\"");
+      (name == "normal" ? placement.toNormal : placement.alongStroke) = true;
+    }
+  }
+  if (object.has("jitter")) {
+    JsonObject jitter(object.required("jitter"), object.where() + ": jitter");
+    placement.jitter.position = jitter.number("position", 0);
+    placement.jitter.size = jitter.number("size", 0);
+    placement.jitter.rotation = jitter.number("rotation", 0);
+    placement.jitter.seed = static_cast<std::uint64_t>(jitter.integer("seed", 1));
+    jitter.done();
+  }
+  placement.roll = object.number("roll", 0);
+  placement.grid = object.number("grid", 0);
+  placement.anchored = object.flag("anchored", false);
+  if (object.has("array")) {
+    JsonObject array(object.required("array"), object.where() + ": array");
+    const glm::dvec3 count = readVector(array, "count", {1, 1, 1});
+    for (std::size_t a = 0; a < 3; ++a)
+      placement.copies[a] = static_cast<int>(std::clamp(count[int(a)], 0.0, 1e6));
+    placement.copyStep = readVector(array, "step", {0, 0, 0});
+    array.done();
+  }
+  return placement;
+}
+
+void writePlacement(const Placement& placement, Json& json) {
+  if (placement.toNormal) json["orient"].push_back("normal");
+  if (placement.alongStroke) json["orient"].push_back("stroke");
+  if (!(placement.jitter == Jitter{})) {
+    json["jitter"] = {{"position", placement.jitter.position},
+                      {"size", placement.jitter.size},
+                      {"rotation", placement.jitter.rotation},
+                      {"seed", placement.jitter.seed}};
+  }
+  if (placement.roll != 0) json["roll"] = placement.roll;
+  if (placement.grid != 0) json["grid"] = placement.grid;
+  if (placement.anchored) json["anchored"] = true;
+  if (placement.copies != std::array<int, 3>{1, 1, 1})
+    json["array"] = {{"count", placement.copies}, {"step", listOf(placement.copyStep)}};
+}
+
 StrokeOperation readStroke(JsonObject& object) {
   Stroke stroke;
   stroke.points = readPoints(object);
@@ -71,6 +122,7 @@ StrokeOperation readStroke(JsonObject& object) {
   stroke.spacing = object.number("spacing", 0.25);
   stroke.pressure = readPressureTargets(object);
   stroke.symmetry = readSymmetry(object);
+  stroke.placement = readPlacement(object);
   return {std::move(stroke)};
 }
 
@@ -81,6 +133,7 @@ Json writeStroke(const StrokeOperation& operation) {
   if (stroke.pressure.strength) json["pressure"].push_back("strength");
   if (stroke.pressure.size) json["pressure"].push_back("size");
   writeSymmetry(stroke.symmetry, json);
+  writePlacement(stroke.placement, json);
   return json;
 }
 

@@ -4,8 +4,42 @@
 namespace bozzetto {
 namespace {
 
+ToolOperation readFreeform(JsonObject& object) {
+  ToolOperation tool;
+  tool.shape.shape = Shape::freeform;
+  tool.shape.scale = readVector(object, "scale", {1, 1, 1});
+  tool.shape.rotation = readRotation(object);
+  tool.source = readSource(object, "from");
+  return tool;
+}
+
+StampOptions readStamp(JsonObject& object) {
+  StampOptions stamp;
+  stamp.conserving = object.flag("conserving", stamp.conserving);
+  if (!object.has("bulge")) return stamp;
+  JsonObject bulge(object.required("bulge"), object.where() + ": bulge");
+  stamp.height = bulge.number("height", stamp.height);
+  stamp.rise = bulge.number("rise", stamp.rise);
+  stamp.fall = bulge.number("fall", stamp.fall);
+  stamp.slope = bulge.number("slope", stamp.slope);
+  stamp.profile = bulge.choice<StampProfile>(
+      "profile", {{"radius", StampProfile::radius}, {"paper", StampProfile::paper}},
+      StampProfile::radius);
+  bulge.done();
+  return stamp;
+}
+
+Json jsonOf(const StampOptions& stamp) {
+  return {{"height", stamp.height},
+          {"rise", stamp.rise},
+          {"fall", stamp.fall},
+          {"slope", stamp.slope},
+          {"profile", stamp.profile == StampProfile::paper ? "paper" : "radius"}};
+}
+
 ToolOperation readTool(JsonObject& object) {
   ToolShape tool;
+  if (object.has("shape") && object.text("shape") == "freeform") return readFreeform(object);
   tool.shape = readShape(object);
   tool.profile = object.choice<Profile>(
       "profile", {{"wyvill", Profile::wyvill}, {"box", Profile::box}}, Profile::wyvill);
@@ -15,6 +49,13 @@ ToolOperation readTool(JsonObject& object) {
 }
 
 Json writeTool(const ToolOperation& tool) {
+  if (tool.source) {
+    Json json{{"shape", "freeform"},
+              {"scale", listOf(tool.shape.scale)},
+              {"rotation", listOf(tool.shape.rotation)}};
+    writeSource(*tool.source, "from", json);
+    return json;
+  }
   return {{"shape", toText(tool.shape.shape)},
           {"profile", toText(tool.shape.profile)},
           {"radii", listOf(tool.shape.radii)},
@@ -35,6 +76,7 @@ ActionOperation readAction(JsonObject& object) {
                                            {"paint", paint},
                                            {"paint_soft", paintSoft},
                                            {"smooth", smooth},
+                                           {"stamp", stamp},
                                            {"hold", hold},
                                            {"push", push},
                                            {"grip", grip},
@@ -42,17 +84,24 @@ ActionOperation readAction(JsonObject& object) {
                                           add);
   action.strength = object.number("strength", 0.5);
   action.colour = readColour(object);
+  action.ownColours = object.flag("own_colours", false);
+  if (action.kind == stamp) action.stamp = readStamp(object);
   return {action, std::nullopt};
 }
 
 Json writeAction(const ActionOperation& operation) {
-  if (operation.recall) {
-    return {
-        {"name", "recall"}, {"strength", operation.action.strength}, {"step", *operation.recall}};
+  const ActionOptions& action = operation.action;
+  if (operation.recall)
+    return {{"name", "recall"}, {"strength", action.strength}, {"step", *operation.recall}};
+  Json json{{"name", toText(action.kind)},
+            {"strength", action.strength},
+            {"colour", toText(action.colour)}};
+  if (action.ownColours) json["own_colours"] = true;
+  if (action.kind == ActionKind::stamp) {
+    json["bulge"] = jsonOf(action.stamp);
+    json["conserving"] = action.stamp.conserving;
   }
-  return {{"name", toText(operation.action.kind)},
-          {"strength", operation.action.strength},
-          {"colour", toText(operation.action.colour)}};
+  return json;
 }
 
 }  // namespace

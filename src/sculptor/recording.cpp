@@ -2,26 +2,15 @@
 
 #include "bozzetto/base/file.hpp"
 #include "sculptor/operation_json.hpp"
+#include "sculptor/tool_notes.hpp"
 
 namespace bozzetto {
 namespace {
 
 constexpr int kDeepest = 8;
 
-// Parses one line; deep nesting is refused while it is read, before anything could recurse on it.
-Json parseLine(std::string_view line, const std::string& where) {
-  try {
-    return Json::parse(line, [&](int depth, Json::parse_event_t, Json&) {
-      if (depth > kDeepest) throw Error(where + ": nested too deeply");
-      return true;
-    });
-  } catch (const Json::exception&) {
-    throw Error(where + ": not a line of JSON");
-  }
-}
-
 void requireHeader(std::string_view line, const std::string& where) {
-  const Json json = parseLine(line, where);
+  const Json json = parseJson(line, where);
   JsonObject object(json, where);
   if (!object.has("bozzetto") || object.text("bozzetto") != "recording") {
     object.fail("not a recording: the first line is {\"bozzetto\":\"recording\",\"version\":1}");
@@ -33,8 +22,20 @@ void requireHeader(std::string_view line, const std::string& where) {
 
 }  // namespace
 
+// Deep nesting is refused while it is read, before anything could recurse on it.
+Json parseJson(std::string_view text, const std::string& where) {
+  try {
+    return Json::parse(text, [&](int depth, Json::parse_event_t, Json&) {
+      if (depth > kDeepest) throw Error(where + ": nested too deeply");
+      return true;
+    });
+  } catch (const Json::exception&) {
+    throw Error(where + ": not JSON");
+  }
+}
+
 Operation parseOperation(std::string_view line, const std::string& where) {
-  const Json json = parseLine(line, where);
+  const Json json = parseJson(line, where);
   JsonObject object(json, where);
   return operationFrom(object);
 }
@@ -58,7 +59,10 @@ Recording parseRecording(std::string_view text, const std::string& name) {
 
 Recording readRecording(const std::filesystem::path& path) {
   const Bytes bytes = readFile(path, std::size_t{1} << 30);
-  return parseRecording({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
+  const char* text = reinterpret_cast<const char*>(bytes.data());
+  Recording recording = parseRecording({text, bytes.size()}, path.string());
+  recording.folder = path.parent_path();
+  return recording;
 }
 
 std::string toText(const Recording& recording) {

@@ -47,6 +47,7 @@ class Part : public Progress {
 std::vector<OperationReport> replay(const Recording& recording, Sculptor& sculptor,
                                     Progress& progress,
                                     const std::function<void(std::size_t)>& done) {
+  sculptor.tools().folder = recording.folder;
   std::vector<OperationReport> reports;
   const std::size_t count = recording.operations.size();
   for (std::size_t n = 0; n < count; ++n) {
@@ -75,6 +76,8 @@ ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOpt
   Sculptor sculptor(std::move(start), options.upkeep);
   sculptor.place(options.solid);
 
+  sculptor.tools().shelf = options.shelf;
+  sculptor.tools().depth = options.depth;
   auto reports = replay(recording, sculptor, progress);
   return {sculptor.field(), sculptor.solid(), std::move(reports)};
 }

@@ -87,6 +87,12 @@ template <int Side>
 void run(const SolidSettingsOperation& operation, Workbench<Side>& bench, const Telling& telling);
 template <int Side>
 void run(const SolidProbeOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const CombineOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const CutOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const TextOperation& operation, Workbench<Side>& bench, const Telling& telling);
 
 /// At the end of a family's file.
 #define BOZZETTO_RUNS(Kind)                                      \

@@ -2,12 +2,28 @@
 #include "sculptor/run.hpp"
 
 namespace bozzetto {
+namespace {
+
+template <int Side>
+ShelfTool atHand(const Field<Side>& field) {
+  ShelfTool tool;
+  tool.clay = withSide<8>(field);
+  return tool;
+}
+
+}  // namespace
 
 template <int Side>
 void run(const ToolOperation& operation, Workbench<Side>& bench, const Telling& telling) {
-  const FittedTool fitted = fitTool(operation.shape, bench.field().scale.spacing);
+  ToolShape shape = operation.shape;
+  if (operation.source) {
+    const ToolSource& source = *operation.source;
+    shape.sculpture = source.from.empty() ? sculptureOf(atHand(bench.field()), source)
+                                          : bench.tools.sculpture(source, telling.progress);
+  }
+  const FittedTool fitted = fitTool(shape, bench.field().scale.spacing);
   if (!fitted.notice.empty()) telling.progress.note(fitted.notice);
-  bench.hand.chosen = operation.shape;
+  bench.hand.chosen = shape;
 }
 
 template <int Side>

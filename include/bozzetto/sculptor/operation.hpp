@@ -9,6 +9,7 @@
 #include "bozzetto/history/step.hpp"
 #include "bozzetto/sculptor/clay_operations.hpp"
 #include "bozzetto/sculptor/solid_operations.hpp"
+#include "bozzetto/sculptor/tool_operations.hpp"
 #include "bozzetto/tool/action.hpp"
 #include "bozzetto/tool/fill.hpp"
 #include "bozzetto/tool/shape.hpp"
@@ -30,6 +31,7 @@ struct FillOperation {
 /// The tool that strokes use from now on.
 struct ToolOperation {
   ToolShape shape;
+  std::optional<ToolSource> source{};  ///< of freeform tools
 };
 
 /// What strokes do from now on.
@@ -73,7 +75,8 @@ using Operation = std::variant<SceneOperation, FillOperation, ToolOperation, Act
                                SolidPullOperation, SolidRunOperation, SolidSplineOperation,
                                SolidPaintOperation, SolidInflateOperation, SolidTrimOperation,
                                SolidWindowOperation, SolidRestOperation, SolidSettingsOperation,
-                               SolidProbeOperation>;
+                               SolidProbeOperation,
+                               CombineOperation, CutOperation, TextOperation>;
 
 /// The "op" of an operation: "scene", "fill", …
 std::string_view nameOf(const Operation& operation);

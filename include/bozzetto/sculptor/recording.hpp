@@ -11,6 +11,7 @@ namespace bozzetto {
 
 struct Recording {
   std::vector<Operation> operations;
+  std::filesystem::path folder{};  ///< where its relative paths start
 };
 
 /// Parses the whole text. Throws Error "NAME:LINE: …" for the first line that is not right; empty

@@ -15,6 +15,8 @@ struct ReplayOptions {
   /// is resampled first; later resample operations are scaled by the same factor.
   std::optional<double> spacing;
   SolidRef solid;  ///< of the document it starts on
+  std::vector<ShelfItem> shelf{};  ///< of the document
+  int depth = 0;                   ///< of recordings that make tools for recordings
 };
 
 struct ReplayResult {

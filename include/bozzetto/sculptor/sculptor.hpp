@@ -42,6 +42,8 @@ class BasicSculptor {
   void setPictureTaker(std::function<Bytes()> take) { bench_.takePicture = std::move(take); }
   /// The tool of the next stroke; as long as nobody chose one, a ball of 8 cells.
   ToolShape tool() const { return bench_.hand.tool(field().scale.spacing); }
+  /// Where names of tools lead: set its folder and the document's shelf.
+  ToolLibrary& tools() { return bench_.tools; }
   const ActionOptions& action() const { return bench_.hand.action; }
   /// The surface as of the last dab or operation. Needs upkeep.
   const Surface<Side>& surface() const { return bench_.surface(); }

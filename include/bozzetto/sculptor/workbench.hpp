@@ -12,6 +12,7 @@
 #include "bozzetto/field/field.hpp"
 #include "bozzetto/history/history.hpp"
 #include "bozzetto/sculptor/report.hpp"
+#include "bozzetto/sculptor/tool_library.hpp"
 #include "bozzetto/solid/solid.hpp"
 #include "bozzetto/surface/surface.hpp"
 #include "bozzetto/tool/action.hpp"
@@ -68,7 +69,8 @@ class Workbench {
   }
 
   Hand hand;
-  clay::Setup clay;  ///< what strokes that move clay meet; no step of history
+  ToolLibrary tools;  ///< where names of tools lead; no step of history
+  clay::Setup clay;   ///< what strokes that move clay meet; no step of history
 
   /// The clay, for an Edit.
   Tree& tree() { return field_.tree; }

@@ -1,0 +1,39 @@
+// Where names of tools lead: the document's shelf, the user's folder, the starters, files.
+#pragma once
+#include <map>
+#include <memory>
+
+#include "bozzetto/sculptor/shelf_tool.hpp"
+
+namespace bozzetto {
+
+class ToolLibrary {
+ public:
+  std::filesystem::path folder;  ///< relative paths start here
+  std::vector<ShelfItem> shelf;  ///< the document's
+
+  /// Everything at hand that matches, the document's first, by name within a place.
+  std::vector<ToolEntry> list(std::string_view query = {}) const;
+
+  /// By name: the document's shelf, then the user's folder, then the starters. Throws Error that
+  /// says where it looked.
+  ShelfTool find(const std::string& name, Progress& progress = Progress::none()) const;
+
+  /// The sculpture that a source means. Kept, so that the same source costs nothing the second
+  /// time. Throws Error for what cannot be read or holds no clay.
+  std::shared_ptr<const Sculpture> sculpture(const ToolSource& source,
+                                             Progress& progress = Progress::none());
+
+  /// Recordings that make tools from recordings that make tools …
+  int depth = 0;
+
+ private:
+  ShelfTool load(const ToolSource& source, Progress& progress) const;
+
+  std::map<std::string, std::shared_ptr<const Sculpture>> kept_;
+};
+
+/// Of clay, what the source says of region, pivot and contact.
+std::shared_ptr<const Sculpture> sculptureOf(const ShelfTool& tool, const ToolSource& source);
+
+}  // namespace bozzetto

@@ -1,0 +1,50 @@
+// Operations with tools that are sculptures.
+#pragma once
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+
+#include "bozzetto/tool/combine.hpp"
+
+namespace bozzetto {
+
+/// World units; both ends belong to it.
+struct WorldBox {
+  glm::dvec3 low{0}, high{0};
+};
+
+/// Where a freeform tool comes from.
+struct ToolSource {
+  /// A file (.bzt; .jsonl, which is replayed; a mesh; .png, which becomes a relief) or
+  /// "shelf:NAME"; empty: the clay at hand.
+  std::string from;
+  std::optional<WorldBox> region;  ///< that part of it only
+  std::optional<glm::dvec3> pivot;
+  std::optional<glm::dvec3> contact;
+  double cells = 96;              ///< along the longest side of meshes and pictures
+  double width = 64, height = 8;  ///< of pictures' reliefs, world units
+};
+
+/// union, subtract or intersect the clay with a file's or a shelf's.
+struct CombineOperation {
+  ToolSource with;
+  Combining how = Combining::unite;
+  CombinePose pose;
+};
+
+/// Takes a part of the clay away and into the hand, as a freeform tool that adds it again.
+struct CutOperation {
+  WorldBox region;
+};
+
+/// Letters as a relief on a plane through `at`.
+struct TextOperation {
+  std::string text;
+  double size = 16;  ///< of a capital with its room, world units
+  double depth = 4;  ///< world units
+  CombinePose pose;
+  Colour colour;
+  std::string font;  ///< a file; empty: a packaged one
+};
+
+}  // namespace bozzetto

@@ -1,0 +1,112 @@
+// combine, cut and text in JSON, and where tools come from.
+#include "sculptor/operation_format.hpp"
+
+namespace bozzetto {
+
+WorldBox readRegion(JsonObject& object) {
+  JsonObject region(object.required("region"), object.where() + ": region");
+  region.required("min");
+  region.required("max");
+  const WorldBox box{readVector(region, "min", {}), readVector(region, "max", {})};
+  for (int axis = 0; axis < 3; ++axis)
+    if (box.low[axis] > box.high[axis]) object.fail("region: 'min' not above 'max' expected");
+  region.done();
+  return box;
+}
+
+Json listOf(const WorldBox& box) { return {{"min", listOf(box.low)}, {"max", listOf(box.high)}}; }
+
+ToolSource readSource(JsonObject& object, const char* key) {
+  ToolSource source;
+  source.from = object.text(key, "");
+  if (object.has("region")) source.region = readRegion(object);
+  if (object.has("pivot")) source.pivot = readVector(object, "pivot", {});
+  if (object.has("contact")) source.contact = readVector(object, "contact", {});
+  source.cells = object.number("cells", source.cells);
+  source.width = object.number("width", source.width);
+  source.height = object.number("height", source.height);
+  return source;
+}
+
+void writeSource(const ToolSource& source, const char* key, Json& json) {
+  const ToolSource usual;
+  if (!source.from.empty()) json[key] = source.from;
+  if (source.region) json["region"] = listOf(*source.region);
+  if (source.pivot) json["pivot"] = listOf(*source.pivot);
+  if (source.contact) json["contact"] = listOf(*source.contact);
+  if (source.cells != usual.cells) json["cells"] = source.cells;
+  if (source.width != usual.width) json["width"] = source.width;
+  if (source.height != usual.height) json["height"] = source.height;
+}
+
+namespace {
+
+CombinePose readPose(JsonObject& object) {
+  CombinePose pose;
+  if (!object.has("pose")) return pose;
+  JsonObject json(object.required("pose"), object.where() + ": pose");
+  pose.at = readVector(json, "at", {0, 0, 0});
+  pose.rotation = readRotation(json);
+  pose.scale = readVector(json, "scale", {1, 1, 1});
+  json.done();
+  return pose;
+}
+
+Json jsonOf(const CombinePose& pose) {
+  return {
+      {"at", listOf(pose.at)}, {"rotation", listOf(pose.rotation)}, {"scale", listOf(pose.scale)}};
+}
+
+CombineOperation readCombine(JsonObject& object) {
+  CombineOperation combine;
+  object.required("with");
+  combine.with = readSource(object, "with");
+  combine.how = object.choice<Combining>("how",
+                                         {{"union", Combining::unite},
+                                          {"subtract", Combining::subtract},
+                                          {"intersect", Combining::intersect}},
+                                         Combining::unite);
+  combine.pose = readPose(object);
+  return combine;
+}
+
+Json writeCombine(const CombineOperation& combine) {
+  Json json{{"how", toText(combine.how)}, {"pose", jsonOf(combine.pose)}};
+  writeSource(combine.with, "with", json);
+  return json;
+}
+
+CutOperation readCut(JsonObject& object) { return {readRegion(object)}; }
+Json writeCut(const CutOperation& cut) { return {{"region", listOf(cut.region)}}; }
+
+TextOperation readText(JsonObject& object) {
+  TextOperation text;
+  text.text = object.text("text");
+  text.size = object.number("size", text.size);
+  text.depth = object.number("depth", text.depth);
+  text.pose = readPose(object);
+  text.colour = readColour(object);
+  text.font = object.text("font", "");
+  return text;
+}
+
+Json writeText(const TextOperation& text) {
+  Json json{{"text", text.text},
+            {"size", text.size},
+            {"depth", text.depth},
+            {"pose", jsonOf(text.pose)},
+            {"colour", toText(text.colour)}};
+  if (!text.font.empty()) json["font"] = text.font;
+  return json;
+}
+
+}  // namespace
+
+std::span<const OperationFormat> volumeFormats() {
+  static constexpr OperationFormat kFormats[] = {formatOf<readCombine, writeCombine>("combine"),
+                                                 formatOf<readCut, writeCut>("cut"),
+                                                 formatOf<readText, writeText>("text")};
+  return kFormats;
+}
+
+}  // namespace bozzetto

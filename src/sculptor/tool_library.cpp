@@ -1,0 +1,150 @@
+#include "bozzetto/sculptor/tool_library.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bozzetto/io/mesh_file.hpp"
+#include "bozzetto/io/relief.hpp"
+#include "bozzetto/io/voxelise.hpp"
+#include "bozzetto/sculptor/replay.hpp"
+#include "bozzetto/tool/relative.hpp"
+
+namespace bozzetto {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr int kDeepest = 8;
+constexpr std::string_view kShelf = "shelf:";
+
+KeyBox cornersOf(const WorldBox& box, double spacing) {
+  KeyBox corners;
+  for (const Axis axis : kAxes) {
+    const int a = index(axis);
+    const double low = std::ceil(box.low[a] / spacing), high = std::floor(box.high[a] / spacing);
+    constexpr double rim = kWorkspaceRim;
+    corners.low[axis] = static_cast<std::int32_t>(std::clamp(low, -rim, rim));
+    corners.high[axis] = static_cast<std::int32_t>(std::clamp(high, -rim, rim));
+  }
+  return corners;
+}
+
+std::string keyOf(const ToolSource& s) {
+  std::string key = fmt::format("{} {} {} {}", s.from, s.cells, s.width, s.height);
+  const auto add = [&](const glm::dvec3& v) { key += fmt::format(" {} {} {}", v.x, v.y, v.z); };
+  if (s.region) {
+    add(s.region->low);
+    add(s.region->high);
+  }
+  key += s.pivot ? " pivot" : "";
+  if (s.pivot) add(*s.pivot);
+  key += s.contact ? " contact" : "";
+  if (s.contact) add(*s.contact);
+  return key;
+}
+
+Clay clayOfMesh(const fs::path& path, const ToolSource& source, Progress& progress) {
+  const TriangleMesh mesh = readMesh(path, progress);
+  ImportOptions options;
+  options.cells = source.cells;
+  Clay clay;
+  clay.scale.spacing = importSpacing(mesh, options);
+  Edit<CornerBlock<8>> edit(clay.tree);
+  voxelise(mesh, options, edit, progress);
+  edit.commit();
+  return clay;
+}
+
+Clay clayOfPicture(const fs::path& path, const ToolSource& source) {
+  const GreyImage image = readGreyPng(path);
+  const double longest =
+      source.width * std::max(1.0, double(image.height) / double(std::max(image.width, 1)));
+  return relief(image, {source.width, source.height, longest / source.cells, {}});
+}
+
+Clay clayOfRecording(const fs::path& path, int depth, Progress& progress) {
+  if (depth >= kDeepest) throw Error(path.string() + ": recordings of tools nested too deeply");
+  ReplayOptions options;
+  options.depth = depth + 1;
+  return replay(readRecording(path), {}, options, progress).field;
+}
+
+fs::path fileIn(const fs::path& folder, const std::string& name) {
+  const bool plain = !name.empty() && name.front() != '.' && name.find('/') == name.npos;
+  return plain ? folder / (name + ".bzt") : fs::path();
+}
+
+}  // namespace
+
+std::vector<ToolEntry> ToolLibrary::list(std::string_view query) const {
+  std::vector<ToolEntry> entries;
+  for (const ShelfItem& item : shelf)
+    entries.push_back({item.name, item.tags, ToolEntry::Place::document});
+  std::error_code ignored;
+  for (const auto& file : fs::directory_iterator(userToolFolder(), ignored)) {
+    if (file.path().extension() != ".bzt") continue;
+    try {
+      const ShelfTool tool = loadTool(file.path());
+      entries.push_back({file.path().stem().string(), tool.tags, ToolEntry::Place::user});
+    } catch (const Error&) {
+      continue;  // a list shows what can be used
+    }
+  }
+  for (ToolEntry& entry : starterTools()) entries.push_back(std::move(entry));
+  std::erase_if(entries, [&](const ToolEntry& entry) { return !matches(entry, query); });
+  std::ranges::stable_sort(entries, [](const ToolEntry& a, const ToolEntry& b) {
+    return std::tie(a.place, a.name) < std::tie(b.place, b.name);
+  });
+  return entries;
+}
+
+ShelfTool ToolLibrary::find(const std::string& name, Progress& progress) const {
+  const auto item = std::ranges::find(shelf, name, &ShelfItem::name);
+  if (item != shelf.end()) return fromItem(*item);
+  const fs::path file = fileIn(userToolFolder(), name);
+  std::error_code ignored;
+  if (!file.empty() && fs::exists(file, ignored)) return loadTool(file, progress);
+  const auto starters = starterTools();
+  if (std::ranges::find(starters, name, &ToolEntry::name) != starters.end())
+    return makeStarter(name, progress);
+  throw Error(
+      fmt::format("no tool is called '{}': neither on the document's shelf, nor in {}, nor "
+                  "among the starters",
+                  name.substr(0, 40), userToolFolder().string()));
+}
+
+ShelfTool ToolLibrary::load(const ToolSource& source, Progress& progress) const {
+  if (source.from.starts_with(kShelf)) return find(source.from.substr(kShelf.size()), progress);
+  const fs::path path = folder / source.from;
+  const std::string extension = path.extension().string();
+  if (extension == ".bzt") return loadTool(path, progress);
+  ShelfTool tool;
+  tool.name = path.stem().string();
+  tool.clay = extension == ".jsonl" ? clayOfRecording(path, depth, progress)
+              : extension == ".png" ? clayOfPicture(path, source)
+                                    : clayOfMesh(path, source, progress);
+  return tool;
+}
+
+std::shared_ptr<const Sculpture> ToolLibrary::sculpture(const ToolSource& source,
+                                                        Progress& progress) {
+  auto& kept = kept_[keyOf(source)];
+  if (kept == nullptr) kept = sculptureOf(load(source, progress), source);
+  return kept;
+}
+
+std::shared_ptr<const Sculpture> sculptureOf(const ShelfTool& tool, const ToolSource& source) {
+  SculptureOptions options;
+  options.pivot = source.pivot ? source.pivot : tool.pivot;
+  options.contact = source.contact.value_or(tool.contact.value_or(options.contact));
+  Clay clay = tool.clay;
+  if (source.region) clay = partOf(clay, cornersOf(*source.region, clay.scale.spacing));
+  if (clay.tree.empty()) {
+    const std::string what = source.from.empty() ? "the clay" : source.from;
+    throw Error("freeform tool: " + what + " holds no clay" + (source.region ? " there" : ""));
+  }
+  return std::make_shared<Sculpture>(std::move(clay), options);
+}
+
+}  // namespace bozzetto
