@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   bozzetto::cli::addCheck(app);
   bozzetto::cli::addHistory(app);
   bozzetto::cli::addRecover(app);
+  bozzetto::cli::addTool(app);
   bozzetto::WindowOptions window;
   app.add_option("scene", window.scene, "Opens the window: on a scene, or on a new ball of clay");
   try {

@@ -62,6 +62,7 @@ std::vector<OperationReport> replayToFile(const Arguments& arguments, const Reco
   options.upkeep = upkeepFor(arguments);
   if (arguments.spacing != 0) options.spacing = arguments.spacing;
   options.solid = decodeSolid(document.parts.solid, arguments.from);
+  options.shelf = document.parts.shelf;
   ReplayResult result = replay(recording, document.field, options, progress);
   document.field = std::move(result.field);
   document.parts.solid = encodeSolid(result.solid);

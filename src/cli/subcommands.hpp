@@ -12,5 +12,6 @@ void addInfo(CLI::App& app);
 void addRecover(CLI::App& app);
 void addRender(CLI::App& app);
 void addReplay(CLI::App& app);
+void addTool(CLI::App& app);
 
 }  // namespace bozzetto::cli

@@ -24,12 +24,13 @@ class ToolLibrary {
   std::shared_ptr<const Sculpture> sculpture(const ToolSource& source,
                                              Progress& progress = Progress::none());
 
+  /// What a source means, whole, with what is written down about it; not kept.
+  ShelfTool load(const ToolSource& source, Progress& progress = Progress::none()) const;
+
   /// Recordings that make tools from recordings that make tools …
   int depth = 0;
 
  private:
-  ShelfTool load(const ToolSource& source, Progress& progress) const;
-
   std::map<std::string, std::shared_ptr<const Sculpture>> kept_;
 };
 

@@ -1,0 +1,199 @@
+// bozzetto tool make|list|show|render: tools that are sculptures.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bozzetto/base/file.hpp"
+#include "bozzetto/io/relief.hpp"
+#include "bozzetto/sculptor/recording.hpp"
+#include "bozzetto/sculptor/tool_library.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/tool_files.hpp"
+
+namespace bozzetto::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct MakeArguments {
+  ToolSource source;
+  std::string text, font, out, name, tags, preset;
+  std::vector<double> region, pivot, contact;
+  double size = 16, depth = 4, spacing = 0.25;
+};
+
+std::optional<glm::dvec3> vectorOf(const std::vector<double>& numbers) {
+  if (numbers.size() != 3) return std::nullopt;
+  return glm::dvec3(numbers[0], numbers[1], numbers[2]);
+}
+
+std::vector<std::string> wordsOf(const std::string& list) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < list.size();) {
+    const std::size_t end = std::min(list.find(',', at), list.size());
+    if (end > at) words.push_back(list.substr(at, end - at));
+    at = end + 1;
+  }
+  return words;
+}
+
+ShelfTool letters(const MakeArguments& arguments) {
+  TextOptions options;
+  options.font = arguments.font;
+  const GreyImage image = drawText(arguments.text, options);
+  const double width = image.width * arguments.size / options.pixels;
+  ShelfTool tool;
+  tool.name = arguments.text;
+  tool.clay = relief(image, {width, arguments.depth, arguments.spacing, {}});
+  tool.pivot = glm::dvec3(0);
+  return tool;
+}
+
+// A recording's operations, header and all, as a preset.
+std::vector<Operation> presetFrom(const std::string& path) {
+  return path.empty() ? std::vector<Operation>{} : readRecording(path).operations;
+}
+
+void make(const MakeArguments& arguments) {
+  ProgressBar progress;
+  ToolSource source = arguments.source;
+  if (arguments.region.size() == 6) {
+    const auto& r = arguments.region;
+    source.region = WorldBox{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
+  }
+  source.pivot = vectorOf(arguments.pivot);
+  source.contact = vectorOf(arguments.contact);
+  if (source.from.empty() == arguments.text.empty())
+    throw Error("tool make: either a source or --text expected");
+  ShelfTool tool = source.from.empty() ? letters(arguments) : toolFrom(source, progress);
+  if (!arguments.name.empty()) tool.name = arguments.name;
+  if (!arguments.tags.empty()) tool.tags = wordsOf(arguments.tags);
+  const auto preset = presetFrom(arguments.preset);
+  if (!preset.empty()) tool.preset = preset;
+  sculptureOf(tool, {});  // refuses what is no tool, before anything is written
+  tool.thumbnail = thumbnailOf(tool.clay, progress);
+  std::filesystem::path out = arguments.out;
+  if (out.empty()) {
+    out = userToolFolder() / (tool.name + ".bzt");
+    std::filesystem::create_directories(userToolFolder());
+  }
+  saveTool(out, tool);
+  progress.clear();
+  fmt::print("{}\n", out.string());
+}
+
+std::string_view placeOf(ToolEntry::Place place) {
+  switch (place) {
+    case ToolEntry::Place::document:
+      return "document";
+    case ToolEntry::Place::user:
+      return "user";
+    case ToolEntry::Place::starter:
+      return "starter";
+  }
+  return "";
+}
+
+void list(const std::string& query, bool json) {
+  Json entries = Json::array();
+  for (const ToolEntry& entry : ToolLibrary().list(query)) {
+    if (json) {
+      entries.push_back(
+          {{"name", entry.name}, {"tags", entry.tags}, {"place", placeOf(entry.place)}});
+    } else {
+      fmt::print("{:<16} {:<9} {}\n", entry.name, placeOf(entry.place), fmt::join(entry.tags, " "));
+    }
+  }
+  if (json) fmt::print("{}\n", entries.dump(1));
+}
+
+Json listOf(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+Json described(const ShelfTool& tool) {
+  const auto sculpture = sculptureOf(tool, {});
+  const double spacing = tool.clay.scale.spacing;
+  const glm::dvec3 extent = (2.0 * sculpture->halfExtents() - 2.0) * spacing;
+  Json preset = Json::array();
+  for (const Operation& operation : tool.preset) preset.push_back(Json::parse(toText(operation)));
+  return {{"name", tool.name},
+          {"tags", tool.tags},
+          {"spacing", spacing},
+          {"extent", listOf(extent)},
+          {"pivot", listOf((sculpture->centre() + sculpture->pivot()) * spacing)},
+          {"contact", listOf(sculpture->contact())},
+          {"corners", statistics(tool.clay).corners},
+          {"mass", statistics(tool.clay).mass},
+          {"thumbnail_bytes", tool.thumbnail.size()},
+          {"preset", preset}};
+}
+
+void show(const std::string& from) {
+  ProgressBar progress;
+  ToolSource source;
+  source.from = from;
+  const Json json = described(toolFrom(source, progress));
+  progress.clear();
+  fmt::print("{}\n", json.dump(1));
+}
+
+void render(const std::string& from, const std::string& out, int size) {
+  ProgressBar progress;
+  ToolSource source;
+  source.from = from;
+  writeFile(out, pictureOf(toolFrom(source, progress).clay, size, progress));
+}
+
+void addMake(CLI::App& tool) {
+  auto a = std::make_shared<MakeArguments>();
+  CLI::App* command = tool.add_subcommand("make", "Makes a tool: one .bzt file");
+  command->add_option("source", a->source.from,
+                      ".bzt, .jsonl (replayed), a mesh, .png (relief), shelf:NAME");
+  command->add_option("-o,--out", a->out, "The tool's file; the user's library without");
+  command->add_option("--name", a->name, "What it is called");
+  command->add_option("--tags", a->tags, "Words, separated by commas");
+  command->add_option("--region", a->region, "That part of the source: min x y z, max x y z")
+      ->expected(6);
+  command->add_option("--pivot", a->pivot, "The place that lies on strokes: x y z")->expected(3);
+  command->add_option("--contact", a->contact, "Direction to the clay (0 0 -1)")->expected(3);
+  command->add_option("--cells", a->source.cells, "Along the longest side of meshes and pictures");
+  command->add_option("--width", a->source.width, "Of a picture's relief, world units");
+  command->add_option("--height", a->source.height, "Of white in it, world units");
+  command->add_option("--text", a->text, "Letters in place of a source");
+  command->add_option("--font", a->font, "A font file in place of the packaged one");
+  command->add_option("--size", a->size, "Of a capital letter with its room, world units");
+  command->add_option("--depth", a->depth, "Of letters, world units");
+  command->add_option("--spacing", a->spacing, "Of letters: world units per cell");
+  command->add_option("--preset", a->preset, "A recording whose tool, action, stroke go with it");
+  command->callback([a] { make(*a); });
+}
+
+}  // namespace
+
+void addTool(CLI::App& app) {
+  CLI::App* tool = app.add_subcommand("tool", "Tools that are sculptures");
+  tool->require_subcommand(1);
+  addMake(*tool);
+
+  auto query = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false);
+  CLI::App* lists = tool->add_subcommand("list", "Tools of the user's library and the starters");
+  lists->add_option("words", *query, "Part of names or tags");
+  lists->add_flag("--json", *json, "As JSON");
+  lists->callback([query, json] { list(*query, *json); });
+
+  auto from = std::make_shared<std::string>();
+  auto out = std::make_shared<std::string>();
+  auto size = std::make_shared<int>(512);
+  CLI::App* shows = tool->add_subcommand("show", "What is known of a tool, as JSON");
+  shows->add_option("tool", *from, "A file or shelf:NAME")->required();
+  shows->callback([from] { show(*from); });
+
+  CLI::App* renders = tool->add_subcommand("render", "A picture of a tool");
+  renders->add_option("tool", *from, "A file or shelf:NAME")->required();
+  renders->add_option("out", *out, "The picture, PNG")->required();
+  renders->add_option("--size", *size, "Pixels a side")->check(CLI::Range(16, 4096));
+  renders->callback([from, out, size] { render(*from, *out, *size); });
+}
+
+}  // namespace bozzetto::cli

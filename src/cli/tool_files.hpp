@@ -1,0 +1,19 @@
+// Tools by name or file, for the subcommands of `bozzetto tool`.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "bozzetto/sculptor/tool_library.hpp"
+
+namespace bozzetto::cli {
+
+/// The tool of a file or "shelf:NAME"; pictures and meshes as the source says.
+ShelfTool toolFrom(const ToolSource& source, Progress& progress);
+
+/// A picture of it, PNG.
+Bytes pictureOf(const Clay& clay, int size, Progress& progress);
+
+/// A small one for lists; empty, with a note, where nothing can be drawn.
+Bytes thumbnailOf(const Clay& clay, Progress& progress);
+
+}  // namespace bozzetto::cli

@@ -1,0 +1,252 @@
+// Tools by name: from files, from shelves, from starters; volume operations; what recordings say.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "bozzetto/scene/scene_file.hpp"
+#include "bozzetto/sculptor/replay.hpp"
+#include "bozzetto/sculptor/tool_library.hpp"
+
+namespace bozzetto {
+namespace {
+
+namespace fs = std::filesystem;
+const std::string kHeader = "{\"bozzetto\":\"recording\",\"version\":1}\n";
+
+Recording recordingOf(const std::string& lines) { return parseRecording(kHeader + lines, "test"); }
+Clay replayed(const std::string& lines) { return replay(recordingOf(lines), {}).field; }
+
+// A folder of its own, and the user's library in it.
+class Tools : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(::testing::TempDir()) / ("bozzetto_tools_" + std::string(info->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "bozzetto/tools");
+    ::setenv("XDG_DATA_HOME", folder_.c_str(), 1);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Clay replayHere(const std::string& lines) const {
+    Recording recording = recordingOf(lines);
+    recording.folder = folder_;
+    return replay(recording, {}).field;
+  }
+  fs::path folder_;
+};
+
+const char* const kBody =
+    "{\"op\":\"fill\",\"radii\":[9,6,5],\"colour\":\"#c04020\"}\n"
+    "{\"op\":\"fill\",\"shape\":\"box\",\"center\":[8,2,0],\"radii\":[4,3,3],"
+    "\"colour\":\"#2040c0\"}\n";
+
+TEST_F(Tools, aFileAsAToolIsItsScene) {
+  saveScene(folder_ / "body.bzt", {replayed(kBody), {}});
+  const Clay made = replayHere(
+      "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"body.bzt\",\"pivot\":[0,0,0]}\n"
+      "{\"op\":\"action\",\"name\":\"add\",\"strength\":1,\"own_colours\":true}\n"
+      "{\"op\":\"stroke\",\"points\":[[0,0,0]]}");
+  EXPECT_EQ(fieldHash(made), fieldHash(replayed(kBody)));
+}
+
+TEST_F(Tools, aRegionOfTheClayAtHand) {
+  const Clay made =
+      replayed(std::string(kBody) +
+               "{\"op\":\"tool\",\"shape\":\"freeform\",\"pivot\":[0,0,0],"
+               "\"region\":{\"min\":[0,-20,-20],\"max\":[20,20,20]}}\n"
+               "{\"op\":\"action\",\"name\":\"add\",\"strength\":1,\"own_colours\":true}\n"
+               "{\"op\":\"stroke\",\"points\":[[0,40,0]]}");
+  const Clay body = replayed(kBody);
+  EXPECT_EQ(made.value({5, 41, 1}), body.value({5, 1, 1}));
+  EXPECT_EQ(made.attributes({10, 42, 0}), body.attributes({10, 2, 0}));
+  EXPECT_EQ(made.value({-3, 40, 0}), 0);
+}
+
+TEST_F(Tools, aRecordingAsATool) {
+  std::ofstream(folder_ / "body.jsonl") << kHeader << kBody;
+  const Clay made = replayHere(
+      "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"body.jsonl\",\"pivot\":[0,0,0]}\n"
+      "{\"op\":\"action\",\"name\":\"add\",\"strength\":1,\"own_colours\":true}\n"
+      "{\"op\":\"stroke\",\"points\":[[0,0,0]]}");
+  EXPECT_EQ(fieldHash(made), fieldHash(replayed(kBody)));
+}
+
+TEST_F(Tools, aRecordingThatUsesItselfIsRefused) {
+  std::ofstream(folder_ / "self.jsonl")
+      << kHeader << "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"self.jsonl\"}\n";
+  EXPECT_THROW(replayHere("{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"self.jsonl\"}"),
+               Error);
+}
+
+ShelfTool sample() {
+  ShelfTool tool;
+  tool.name = "Knob";
+  tool.tags = {"round", "Handle"};
+  tool.clay = replayed(kBody);
+  tool.pivot = glm::dvec3(1, 2, 3);
+  tool.contact = glm::dvec3(0, -1, 0);
+  tool.preset = recordingOf("{\"op\":\"action\",\"name\":\"stamp\",\"strength\":0.75}").operations;
+  tool.thumbnail = {std::byte{0x89}, std::byte{'P'}, std::byte{'N'}};
+  return tool;
+}
+
+void expectSame(const ShelfTool& a, const ShelfTool& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.tags, b.tags);
+  EXPECT_EQ(fieldHash(a.clay), fieldHash(b.clay));
+  EXPECT_EQ(a.clay.scale, b.clay.scale);
+  EXPECT_EQ(a.pivot, b.pivot);
+  EXPECT_EQ(a.contact, b.contact);
+  ASSERT_EQ(a.preset.size(), b.preset.size());
+  for (std::size_t n = 0; n < a.preset.size(); ++n)
+    EXPECT_EQ(toText(a.preset[n]), toText(b.preset[n]));
+}
+
+TEST_F(Tools, shelfItemsAndFilesKeepEverything) {
+  const ShelfTool tool = sample();
+  expectSame(fromItem(toItem(tool)), tool);
+  EXPECT_EQ(fromItem(toItem(tool)).thumbnail, tool.thumbnail);
+  ShelfTool plain = tool;
+  plain.thumbnail.clear();
+  saveTool(folder_ / "knob.bzt", plain);
+  expectSame(loadTool(folder_ / "knob.bzt"), plain);
+}
+
+TEST_F(Tools, damagedShelfItemsAreRefused) {
+  const ShelfItem item = toItem(sample());
+  for (std::size_t size = 0; size < item.payload.size(); size += 7) {
+    ShelfItem cut = item;
+    cut.payload.resize(size);
+    try {
+      EXPECT_TRUE(fromItem(cut).clay.tree.empty());  // cut right after the notes: a preset
+    } catch (const Error&) {
+    }
+  }
+}
+
+TEST_F(Tools, namesLeadToDocumentUserAndStarters) {
+  ToolLibrary library;
+  EXPECT_THROW(library.find("Knob"), Error);
+  ShelfTool user = sample();
+  user.thumbnail.clear();
+  saveTool(userToolFolder() / "Knob.bzt", user);
+  EXPECT_EQ(fieldHash(library.find("Knob").clay), fieldHash(user.clay));
+  ShelfTool own = sample();
+  own.clay = replayed("{\"op\":\"fill\"}");
+  library.shelf.push_back(toItem(own));
+  EXPECT_EQ(fieldHash(library.find("Knob").clay), fieldHash(own.clay));
+  EXPECT_THROW(library.find("../Knob"), Error);
+
+  EXPECT_EQ(library.list("handle ROUND").size(), 2U);
+  EXPECT_EQ(library.list("nothing like it").size(), 0U);
+  EXPECT_GE(library.list().size(), 14U);
+  EXPECT_EQ(library.list("knob").front().place, ToolEntry::Place::document);
+}
+
+TEST_F(Tools, atLeastTwelveStartersAreTools) {
+  const auto starters = starterTools();
+  EXPECT_GE(starters.size(), 12U);
+  for (const ToolEntry& entry : starters) {
+    if (entry.name.starts_with("letter ") && entry.name != "letter Q") continue;
+    const ShelfTool tool = makeStarter(entry.name);
+    EXPECT_FALSE(tool.tags.empty()) << entry.name;
+    EXPECT_FALSE(tool.preset.empty()) << entry.name;
+    EXPECT_EQ(validate(tool.clay), std::nullopt) << entry.name;
+    EXPECT_GT(statistics(tool.clay).corners, 1000) << entry.name;
+    EXPECT_NO_THROW(sculptureOf(tool, {})) << entry.name;
+  }
+}
+
+TEST_F(Tools, startersStandOnSurfaces) {
+  const Clay made = replayed(
+      "{\"op\":\"fill\",\"radii\":[30,30,30]}\n"
+      "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"shelf:eye\"}\n"
+      "{\"op\":\"action\",\"name\":\"add\",\"strength\":1,\"own_colours\":true}\n"
+      "{\"op\":\"stroke\",\"points\":[[0,0,30]],\"orient\":[\"normal\"]}");
+  EXPECT_GT(made.value({0, 0, 36}), 0.9f);
+}
+
+TEST_F(Tools, combineUnitesSubtractsIntersects) {
+  saveScene(folder_ / "cube.bzt", {replayed("{\"op\":\"fill\",\"shape\":\"box\",\"radii\":[6,6,6],"
+                                            "\"colour\":\"#00ff00\"}"),
+                                   {}});
+  const auto combined = [&](const std::string& how) {
+    return replayHere(
+        "{\"op\":\"fill\",\"radii\":[10,10,10],\"colour\":\"#ff0000\"}\n"
+        "{\"op\":\"combine\",\"with\":\"cube.bzt\",\"how\":\"" +
+        how + "\",\"pose\":{\"at\":[8,0,0]}}");
+  };
+  const Clay all = combined("union"), cut = combined("subtract"), both = combined("intersect");
+  for (const Clay* clay : {&all, &cut, &both}) EXPECT_EQ(validate(*clay), std::nullopt);
+  const Key ball{-8, 0, 0}, shared{5, 0, 0}, cube{13, 4, 4};
+  EXPECT_EQ(all.value(ball), 1);
+  EXPECT_EQ(all.value(cube), 1);
+  EXPECT_EQ(all.attributes(cube), packAttributes({0, 255, 0}));
+  EXPECT_EQ(all.attributes(shared), packAttributes({255, 0, 0}));
+  EXPECT_EQ(cut.value(ball), 1);
+  EXPECT_EQ(cut.value(shared), 0);
+  EXPECT_EQ(cut.value(cube), 0);
+  EXPECT_EQ(both.value(ball), 0);
+  EXPECT_EQ(both.value(shared), 1);
+  EXPECT_EQ(both.value(cube), 0);
+}
+
+TEST_F(Tools, whatIsCutAndPastedIsThereAgain) {
+  const std::string cut =
+      std::string(kBody) + "{\"op\":\"cut\",\"region\":{\"min\":[2,-30,-30],\"max\":[30,30,30]}}\n";
+  const Clay without = replayed(cut);
+  EXPECT_EQ(without.value({4, 0, 0}), 0);
+  EXPECT_EQ(without.value({0, 0, 0}), 1);
+  const Clay body = replayed(kBody);
+  ToolSource source;
+  source.region = WorldBox{{2, -30, -30}, {30, 30, 30}};
+  ShelfTool at;
+  at.clay = body;
+  const glm::dvec3 pivot = sculptureOf(at, source)->centre();
+  const auto point = "[" + std::to_string(pivot.x) + "," + std::to_string(pivot.y) + "," +
+                     std::to_string(pivot.z) + "]";
+  const Clay pasted = replayed(cut + "{\"op\":\"stroke\",\"points\":[" + point + "]}");
+  EXPECT_EQ(fieldHash(pasted), fieldHash(body));
+  EXPECT_EQ(fieldHash(replayed(cut + "{\"op\":\"undo\"}")), fieldHash(body));
+}
+
+TEST_F(Tools, textStandsOnThePlane) {
+  const Clay made = replayed("{\"op\":\"text\",\"text\":\"I\",\"size\":40,\"depth\":6}");
+  EXPECT_EQ(validate(made), std::nullopt);
+  EXPECT_EQ(made.value({0, 0, 3}), 1);
+  EXPECT_EQ(made.value({0, 0, 8}), 0);
+  EXPECT_EQ(made.value({12, 0, 3}), 0);
+  EXPECT_THROW(replayed("{\"op\":\"text\",\"text\":\"\"}"), Error);
+  EXPECT_THROW(replayed("{\"op\":\"text\",\"text\":\"A\",\"font\":\"none.ttf\"}"), Error);
+}
+
+TEST_F(Tools, recordingsSayEverything) {
+  const char* const lines[] = {
+      "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"shelf:leaf\",\"scale\":[1,2,3],"
+      "\"region\":{\"min\":[0,0,0],\"max\":[1,2,3]},\"pivot\":[1,1,1],\"contact\":[0,1,0],"
+      "\"cells\":50,\"width\":3,\"height\":2}",
+      "{\"op\":\"action\",\"name\":\"stamp\",\"strength\":0.5,\"bulge\":{\"height\":0.2,"
+      "\"rise\":0.1,\"fall\":0.4,\"slope\":0.5,\"profile\":\"paper\"},\"conserving\":true}",
+      "{\"op\":\"action\",\"name\":\"add\",\"own_colours\":true}",
+      "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"orient\":[\"normal\",\"stroke\"],"
+      "\"jitter\":{\"position\":0.5,\"size\":0.25,\"rotation\":30,\"seed\":7},\"roll\":1,"
+      "\"grid\":4,\"anchored\":true,\"array\":{\"count\":[3,1,2],\"step\":[5,0,6]}}",
+      "{\"op\":\"combine\",\"with\":\"shelf:eye\",\"how\":\"subtract\",\"pose\":{\"at\":[1,2,3],"
+      "\"rotation\":[0,1,0,0],\"scale\":[2,2,2]}}",
+      "{\"op\":\"cut\",\"region\":{\"min\":[0,0,0],\"max\":[1,2,3]}}",
+      "{\"op\":\"text\",\"text\":\"Ä\",\"size\":9,\"depth\":2,\"colour\":\"#102030\"}"};
+  for (const char* line : lines) {
+    const std::string once = toText(parseOperation(line, "test"));
+    EXPECT_EQ(toText(parseOperation(once, "test")), once);
+    EXPECT_GE(once.size() + 8, std::string(line).size()) << once;  // nothing was forgotten
+  }
+  EXPECT_THROW(parseOperation("{\"op\":\"cut\",\"region\":{\"min\":[0,0,0],\"max\":[-1,2,3]}}", ""),
+               Error);
+  EXPECT_THROW(parseOperation("{\"op\":\"action\",\"name\":\"add\",\"bulge\":{}}", ""), Error);
+}
+
+}  // namespace
+}  // namespace bozzetto
