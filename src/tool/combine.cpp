@@ -5,6 +5,7 @@
 
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/tool/relative.hpp"
+#include "tool/block_work.hpp"
 #include "tool/corner_loop.hpp"
 #include "tool/freeform.hpp"
 
@@ -115,10 +116,9 @@ void clearBlock(Edit<CornerBlock<Side>>& edit, Key key, Wanted&& wanted, DabRepo
   const BlockView view{Block::kCount, value,  attributes, value,
                        attributes,    inside, nullptr,    nullptr};
   const Outcome outcome = run(view, ClearRule{inside});
-  block.low = outcome.low;
-  block.high = outcome.high;
+  describe(block, outcome);
   report.dirty += outcome.dirty;
-  report.changed.push_back({key, 1});
+  report.changed.push_back({key, outcome.corners});
 }
 
 // The blocks of the tree that `wanted` says.

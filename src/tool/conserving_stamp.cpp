@@ -194,7 +194,7 @@ void ConservingStamp<Side>::apply(DabReport& report) {
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   for (const Key& block : touched_) {
     edit_->write(block).updateRange();
-    report.changed.push_back({block, 1});
+    report.changed.push_back(KeyRun{block, 1});
   }
   report.visited += visited_;
   report.computed += computed_;
