@@ -201,6 +201,9 @@ bool Canvas::draw(Publication fresh, glm::dvec2 size) {
     // With the fonts' texture; nobody calls the back end's NewFrame.
     ImGui_ImplOpenGL3_DestroyDeviceObjects();
     ImGui_ImplOpenGL3_CreateDeviceObjects();
+    // Its complaints about what it deletes are not the renderer's.
+    while (glGetError() != GL_NO_ERROR) {
+    }
     c.fontsVersion = c.interface->fontsVersion();
   }
   c.waiting.add(std::move(fresh));
