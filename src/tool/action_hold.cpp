@@ -11,8 +11,9 @@ struct HoldRule {
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
     const int hold = static_cast<int>(old.attributes >> 24);
     // At least one step where more than a trace is asked for, so that slow strokes arrive.
-    const float wanted = strength * potential[n] * static_cast<float>(255 - hold);
-    const int least = static_cast<int>(positiveMask(positive(wanted - 0.25f))) & 1;
+    const float share = strength * potential[n];
+    const float wanted = share * static_cast<float>(255 - hold);
+    const int least = static_cast<int>(positiveMask(positive(share - 1.0f / 255))) & 1;
     const int grown = std::min(255, hold + std::max(nearest(wanted), least));
     return {old.value, (old.attributes & kColourBits) | static_cast<Attributes>(grown) << 24};
   }

@@ -205,7 +205,7 @@ TEST_P(Refusals, areOneLineAndLeaveNothing) {
 INSTANTIATE_TEST_SUITE_P(
     all, Refusals,
     ::testing::Values(
-        Refusal{"", 2, ""}, Refusal{"dance", 2, ""}, Refusal{"import FOLDERcube.off", 2, "--out"},
+        Refusal{"--dance", 2, ""}, Refusal{"import FOLDERcube.off", 2, "--out"},
         Refusal{"replay FOLDERgood.jsonl -o FOLDERo.bzt --threads -3", 2, "threads"},
         Refusal{"import FOLDERmissing.off -o FOLDERo.bzt", 1, "missing.off"},
         Refusal{"import FOLDERempty -o FOLDERo.bzt", 1, "empty"},
