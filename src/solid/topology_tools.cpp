@@ -105,7 +105,7 @@ std::vector<Id> facing(const Lattice& lattice, const std::vector<Id>& a, std::ve
     for (std::size_t n = 0; n < a.size(); ++n)
       sum += glm::distance(lattice.points[a[n]], lattice.points[b[n]]);
     if (least < 0 || sum < least) least = sum, best = b;
-    std::ranges::rotate(b, b.begin() + 1);
+    std::rotate(b.begin(), b.begin() + 1, b.end());
   }
   return best;
 }
