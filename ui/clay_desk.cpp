@@ -109,11 +109,23 @@ void ClayDesk::import(const std::filesystem::path& path, const ImportOptions& op
   if (report.openEdges > 0) note(fmt::format("{} open edges were closed", report.openEdges));
 }
 
-void ClayDesk::save(const std::filesystem::path& path, const SceneParts& parts,
-                    Progress& progress) {
+Document ClayDesk::documentWith(const SceneParts& parts) const {
   Document document{sculptor_->field(), parts};
   document.parts.identity = parts_.identity;
   document.parts.shelf = parts_.shelf;
+  return document;
+}
+
+void ClayDesk::saveNumbered(const std::filesystem::path& path, const SceneParts& parts,
+                            Progress& progress) {
+  Document copy = documentWith(parts);
+  copy.parts.identity = SceneIdentity::random();
+  note("Saved " + saveNumberedCopy(path, copy, progress).filename().string());
+}
+
+void ClayDesk::save(const std::filesystem::path& path, const SceneParts& parts,
+                    Progress& progress) {
+  Document document = documentWith(parts);
   file_.save(path, document, progress);
   parts_ = std::move(document.parts);
   status_.savedVersion = status_.version;

@@ -77,6 +77,8 @@ class ClayDesk {
   void open(const std::filesystem::path& path, Progress& progress);
   void import(const std::filesystem::path& path, const ImportOptions& options, Progress& progress);
   void save(const std::filesystem::path& path, const SceneParts& parts, Progress& progress);
+  /// A copy beside `path`; we go on with the file we have.
+  void saveNumbered(const std::filesystem::path& path, const SceneParts& parts, Progress& progress);
   void exportMesh(const std::filesystem::path& path, double keep, Progress& progress);
 
   // Operations.
@@ -108,6 +110,7 @@ class ClayDesk {
   void fail(std::string text) { out_.errors.push_back(std::move(text)); }
 
  private:
+  Document documentWith(const SceneParts& parts) const;
   void lay(Document document);
   void show();
   void showAll();

@@ -16,6 +16,7 @@ enum class Command {
   open,
   save,
   saveAs,
+  saveNumbered,
   importMesh,
   exportMesh,
   screenshot,

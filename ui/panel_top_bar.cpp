@@ -25,6 +25,7 @@ void fileMenu(Session& session) {
   }
   menuLine(session, Command::save);
   menuLine(session, Command::saveAs);
+  menuLine(session, Command::saveNumbered);
   ImGui::Separator();
   for (const Command c : {Command::importMesh, Command::exportMesh}) menuLine(session, c);
   ImGui::Separator();

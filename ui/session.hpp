@@ -119,6 +119,8 @@ class Session {
   // Files. All ask first when something would be lost.
   void openScene(const std::filesystem::path& path);
   void saveScene(const std::filesystem::path& path, std::function<void()> then = {});
+  /// A copy beside the scene's file. Needs a path.
+  void saveNumbered();
   void importMesh(const std::filesystem::path& path, int cells);
   void exportMesh(const std::filesystem::path& path, double keep);
   void saveRecording(const std::filesystem::path& path);

@@ -193,6 +193,13 @@ bool Session::runFile(Command command) {
         saveScene(path_);
       }
       return true;
+    case Command::saveNumbered:
+      if (path_.empty()) {
+        dialog = Dialog::saveAs;
+      } else {
+        saveNumbered();
+      }
+      return true;
     case Command::quit:
       askToClose();
       return true;

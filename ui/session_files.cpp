@@ -95,6 +95,14 @@ void Session::saveScene(const fs::path& wanted, std::function<void()> then) {
            });
 }
 
+void Session::saveNumbered() {
+  whenDone(worker_.start("Saving a copy",
+                         [path = path_, parts = parts()](ClayDesk& desk, Progress& progress) {
+                           desk.saveNumbered(path, parts, progress);
+                         }),
+           {});
+}
+
 void Session::importMesh(const fs::path& path, int cells) {
   dialog = Dialog::none;
   ImportOptions how;

@@ -230,6 +230,23 @@ TEST_F(Null, savesOpensAndAsksBeforeItForgets) {
   EXPECT_NEAR(mass(), kept, 1e-6 * kept);
 }
 
+TEST_F(Null, numberedCopiesLieBesideTheScene) {
+  const fs::path folder = fs::path(::testing::TempDir()) / "bozzetto_numbered";
+  fs::remove_all(folder);
+  fs::create_directory(folder);
+  session_.run(Command::saveNumbered);
+  EXPECT_EQ(session_.dialog, Dialog::saveAs) << "no name yet";
+  session_.saveScene(folder / "a.bzt");
+  settle();
+  for (const char* name : {"a.001.bzt", "a.002.bzt"}) {
+    session_.run(Command::saveNumbered);
+    settle();
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  }
+  EXPECT_EQ(session_.path(), folder / "a.bzt");
+  fs::remove_all(folder);
+}
+
 TEST_F(Null, whatWasDoneByHandCanBeReplayed) {
   const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_session.jsonl";
   drag(middle(), middle() + glm::dvec2(60, 20));
