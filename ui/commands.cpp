@@ -19,7 +19,7 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {saveAs, file, "save_as", "Save as…", "Saves the scene under another name.", "Ctrl+Shift+S",
      "Ctrl+Shift+S"},
     {saveNumbered, file, "save_numbered", "Save a numbered copy",
-     "Puts the scene as it is aside: scene.001.bzt, scene.002.bzt, …", "Ctrl+Alt+S", "Ctrl+Alt+S"},
+     "Puts the scene as it is aside: scene.001.bzt, scene.002.bzt and on.", "Ctrl+Alt+S", "Ctrl+Alt+S"},
     {importMesh, file, "import", "Import a mesh…",
      "Turns a mesh (OBJ, PLY, STL, OFF, GLB) into clay.", "Ctrl+I", "Ctrl+I"},
     {exportMesh, file, "export", "Export a mesh…",
