@@ -82,7 +82,7 @@ ImTextureID asTexture(GLuint name) { return reinterpret_cast<ImTextureID>(std::u
 
 struct Canvas::Impl {
   Interface* interface;
-  Session* session;
+  Atelier* atelier;
   Renderer renderer;
   std::unique_ptr<Viewport> viewport;
   std::vector<GLuint> textures;
@@ -120,7 +120,7 @@ void Canvas::Impl::makeBalls() {
 // The step we stand at, seen close to where it happened; at rest only. Pictures of steps that are
 // no more go.
 void Canvas::Impl::pictureStep() {
-  const ClayStatus& status = session->status();
+  const ClayStatus& status = atelier->status();
   auto& pictures = interface->pictures.steps;
   std::erase_if(pictures, [&](const auto& entry) {
     const auto same = [&](const StepLine& step) { return step.id == entry.first; };
@@ -132,7 +132,7 @@ void Canvas::Impl::pictureStep() {
   if (status.done == 0 || status.done > status.steps.size() || status.lastEdit.empty()) return;
   const std::uint64_t id = status.steps[status.done - 1].id;
   if (status.lastEditStep != id || pictures.contains(id)) return;
-  ViewState near = session->view;
+  ViewState near = atelier->view;
   CellBounds box = status.lastEdit;
   const glm::dvec3 least = glm::dvec3(status.stage.unit * .35);
   box.low = glm::min(box.low, box.centre() - least) * status.scale.spacing;
@@ -144,7 +144,7 @@ void Canvas::Impl::pictureStep() {
   frame(near, std::span(&box, 1), double(shot.width) / shot.height, .9);
   shot.camera = cameraOf(near, status.scale.spacing);
   shot.stage = status.stage;
-  Look look = session->options.look;
+  Look look = atelier->options.look;
   look.detail = Detail::baked;
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -178,9 +178,9 @@ std::size_t Canvas::Impl::upload() {
   return patches;
 }
 
-Canvas::Canvas(Interface& interface, Session& session) : impl_(std::make_unique<Impl>()) {
+Canvas::Canvas(Interface& interface, Atelier& atelier) : impl_(std::make_unique<Impl>()) {
   impl_->interface = &interface;
-  impl_->session = &session;
+  impl_->atelier = &atelier;
   ImGui_ImplOpenGL3_Init("#version 330 core");
   impl_->makeBalls();
   impl_->viewport = std::make_unique<Viewport>(impl_->renderer);
@@ -209,11 +209,11 @@ bool Canvas::draw(Publication fresh, glm::dvec2 size) {
   c.waiting.add(std::move(fresh));
   const std::size_t patches = c.upload();
   const Rect& at = c.interface->layout().viewport;
-  const ClayStatus& status = c.session->status();
-  ViewFrame frame = c.session->viewFrame();
+  const ClayStatus& status = c.atelier->status();
+  ViewFrame frame = c.atelier->viewFrame();
   frame.place = {int(at.low.x), int(size.y - at.high.y), int(at.width()), int(at.height())};
-  c.viewport->fixQuality(c.session->options.quality);
-  const FrameReport report = c.viewport->draw(frame, c.session->overlays());
+  c.viewport->fixQuality(c.atelier->options.quality);
+  const FrameReport report = c.viewport->draw(frame, c.atelier->overlays());
   if (!status.inStroke && status.isLit && !hasUploads()) c.pictureStep();
   c.interface->figures.viewport = report;
   c.interface->figures.uploadedPatches = patches;
@@ -235,11 +235,11 @@ Image Canvas::readBack(glm::dvec2 size) {
 
 Bytes Canvas::thumbnail() {
   Shot shot;
-  shot.camera = impl_->session->viewFrame().camera;
-  shot.stage = impl_->session->viewFrame().stage;
+  shot.camera = impl_->atelier->viewFrame().camera;
+  shot.stage = impl_->atelier->viewFrame().stage;
   shot.width = 240;
   shot.height = 180;
-  Look look = impl_->session->options.look;
+  Look look = impl_->atelier->options.look;
   look.detail = Detail::baked;
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);

@@ -10,7 +10,7 @@ namespace bozzetto::ui {
 
 class Canvas {
  public:
-  Canvas(Interface& interface, Session& session);
+  Canvas(Interface& interface, Atelier& atelier);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;

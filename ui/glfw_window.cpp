@@ -111,17 +111,17 @@ void listen(GLFWwindow* window) {
   });
 }
 
-// Keeps the window as the session wants it: title, whole screen.
+// Keeps the window as the atelier wants it: title, whole screen.
 class WindowState {
  public:
   explicit WindowState(GLFWwindow* window) : window_(window) {}
 
-  void follow(const Session& session) {
-    const std::string title = session.title() + (session.isModified() ? " *" : "") + " – bozzetto";
+  void follow(const Atelier& atelier) {
+    const std::string title = atelier.title() + (atelier.isModified() ? " *" : "") + " – bozzetto";
     if (title != title_) glfwSetWindowTitle(window_, title.c_str());
     title_ = title;
-    if (session.fullScreen == full_) return;
-    full_ = session.fullScreen;
+    if (atelier.fullScreen == full_) return;
+    full_ = atelier.fullScreen;
     if (full_) {
       glfwGetWindowPos(window_, &x_, &y_);
       glfwGetWindowSize(window_, &width_, &height_);
@@ -140,8 +140,8 @@ class WindowState {
   int x_ = 0, y_ = 0, width_ = kWidth, height_ = kHeight;
 };
 
-float scaleFor(GLFWwindow* window, const Session& session) {
-  if (session.settings.scale > 0) return float(session.settings.scale);
+float scaleFor(GLFWwindow* window, const Atelier& atelier) {
+  if (atelier.settings.scale > 0) return float(atelier.settings.scale);
   float x = 1, y = 1;
   glfwGetWindowContentScale(window, &x, &y);
   return std::max(x, 1.f);
@@ -158,14 +158,14 @@ void shareClipboard(GLFWwindow* window) {
   };
 }
 
-void savePicture(Session& session, glm::dvec2 size) {
-  if (!session.windowPicture) return;
-  const std::filesystem::path path = *std::exchange(session.windowPicture, std::nullopt);
+void savePicture(Atelier& atelier, glm::dvec2 size) {
+  if (!atelier.windowPicture) return;
+  const std::filesystem::path path = *std::exchange(atelier.windowPicture, std::nullopt);
   try {
     writePng(path, Canvas::readBack(size));
-    session.say(Message::Kind::note, "Saved " + path.filename().string());
+    atelier.say(Message::Kind::note, "Saved " + path.filename().string());
   } catch (const Error& error) {
-    session.say(Message::Kind::error, error.what());
+    atelier.say(Message::Kind::error, error.what());
   }
 }
 
@@ -186,16 +186,16 @@ struct Devices {
 // Draws while something happens, sleeps otherwise.
 class Loop {
  public:
-  Loop(GLFWwindow* window, Session& session, Interface& interface, Canvas& canvas)
+  Loop(GLFWwindow* window, Atelier& atelier, Interface& interface, Canvas& canvas)
       : window_(window),
-        session_(session),
+        atelier_(atelier),
         interface_(interface),
         canvas_(canvas),
         state_(window),
         devices_(window) {}
 
   void run() {
-    while (!session_.wantsToClose()) {
+    while (!atelier_.wantsToClose()) {
       wait();
       int width = 0, height = 0;
       glfwGetFramebufferSize(window_, &width, &height);
@@ -212,7 +212,7 @@ class Loop {
       glfwWaitEventsTimeout(kRefining);
       refine_ = true;
     } else {
-      glfwWaitEventsTimeout(session_.job() || speaking_ ? 0.1 : devices_.patience());
+      glfwWaitEventsTimeout(atelier_.job() || speaking_ ? 0.1 : devices_.patience());
     }
     // Without a monitor's rhythm a frame that draws nothing must not spin.
     if (lively_ > 0 && start - lastStart_ < kShortestFrame) {
@@ -222,20 +222,20 @@ class Loop {
   }
 
   bool isWorthAFrame() {
-    const bool speaks = !session_.messages().empty();
+    const bool speaks = !atelier_.messages().empty();
     const bool talked = std::exchange(speaking_, speaks) || speaks;
     return lively_ > 0 || std::exchange(refine_, false) || interface_.hasEvents() ||
-           session_.hasNews() || session_.job() || talked;
+           atelier_.hasNews() || atelier_.job() || talked;
   }
 
   void drawFrame(glm::dvec2 size) {
     const double start = lastStart_ = glfwGetTime();
-    interface_.setScale(scaleFor(window_, session_));
-    const bool busy = interface_.hasEvents() || session_.hasNews() || session_.job();
+    interface_.setScale(scaleFor(window_, atelier_));
+    const bool busy = interface_.hasEvents() || atelier_.hasNews() || atelier_.job();
     Publication fresh = interface_.frame(size, start);
-    state_.follow(session_);
+    state_.follow(atelier_);
     settled_ = canvas_.draw(std::move(fresh), size);
-    savePicture(session_, size);
+    savePicture(atelier_, size);
     glfwSwapBuffers(window_);
     interface_.figures.milliseconds = 1000 * (glfwGetTime() - start);
     // ImGui needs a frame or two to settle.
@@ -244,7 +244,7 @@ class Loop {
 
   static constexpr double kShortestFrame = 1 / 125.0;
   GLFWwindow* window_;
-  Session& session_;
+  Atelier& atelier_;
   Interface& interface_;
   Canvas& canvas_;
   WindowState state_;
@@ -265,18 +265,18 @@ void runWindow(const WindowOptions& given) {
   }
   const ui::Library library;
   const ui::WindowHandle window = ui::openWindow("bozzetto");
-  ui::Session::Options options;
+  ui::Atelier::Options options;
   options.scene = given.scene;
   options.configFolder = ui::configFolder();
   options.wake = [] { glfwPostEmptyEvent(); };
-  ui::Session session(options);
-  ui::Interface interface(session);
-  ui::Canvas canvas(interface, session);
-  session.thumbnail = [&canvas] { return canvas.thumbnail(); };
+  ui::Atelier atelier(options);
+  ui::Interface interface(atelier);
+  ui::Canvas canvas(interface, atelier);
+  atelier.thumbnail = [&canvas] { return canvas.thumbnail(); };
   glfwSetWindowUserPointer(window.get(), &interface);
   ui::listen(window.get());
   ui::shareClipboard(window.get());
-  ui::Loop(window.get(), session, interface, canvas).run();
+  ui::Loop(window.get(), atelier, interface, canvas).run();
 }
 
 }  // namespace bozzetto

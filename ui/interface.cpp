@@ -35,7 +35,7 @@ void nameKeys(ImGuiIO& io) {
 
 }  // namespace
 
-Interface::Interface(Session& session) : session_(&session), context_(ImGui::CreateContext()) {
+Interface::Interface(Atelier& atelier) : atelier_(&atelier), context_(ImGui::CreateContext()) {
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -49,21 +49,21 @@ Interface::~Interface() { ImGui::DestroyContext(context_); }
 void Interface::setScale(float scale) { scale_ = std::clamp(scale, 0.5f, 4.f); }
 
 bool Interface::panelsHavePointer() const {
-  return session_->dialog != Dialog::none || session_->paletteOpen ||
+  return atelier_->dialog != Dialog::none || atelier_->paletteOpen ||
          ImGui::GetIO().WantCaptureMouse;
 }
 
 bool Interface::panelsHaveKeys() const {
-  return session_->dialog != Dialog::none || ImGui::GetIO().WantTextInput ||
+  return atelier_->dialog != Dialog::none || ImGui::GetIO().WantTextInput ||
          ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 void Interface::feedPointer(const PointerMoved& event) {
   ImGui::GetIO().MousePos = {float(event.at.x), float(event.at.y)};
   movedNow_ = true;
-  const bool captured = session_->gesture() != Gesture::none;
-  session_->pointer(event);
-  if (!captured && panelsHavePointer()) session_->leave();
+  const bool captured = atelier_->gesture() != Gesture::none;
+  atelier_->pointer(event);
+  if (!captured && panelsHavePointer()) atelier_->leave();
 }
 
 // False: wait for the next frame, when ImGui knows what the pointer is over.
@@ -72,18 +72,18 @@ bool Interface::feedButton(const ButtonChanged& event) {
   if (buttonNow_[n] || (event.down && movedNow_)) return false;
   buttonNow_[n] = true;
   ImGuiIO& io = ImGui::GetIO();
-  session_->touch();
+  atelier_->touch();
   if (!event.down) {
     io.MouseDown[n] = false;
-    if (std::exchange(onClay_[n], false)) session_->release(event.button);
+    if (std::exchange(onClay_[n], false)) atelier_->release(event.button);
     return true;
   }
-  const bool keyGesture = session_->gesture() != Gesture::none;
+  const bool keyGesture = atelier_->gesture() != Gesture::none;
   const bool inside = layout_.viewport.contains({double(io.MousePos.x), double(io.MousePos.y)});
   if (!panelsHavePointer() && (inside || keyGesture)) {
     onClay_[n] = true;
     ImGui::SetWindowFocus(nullptr);
-    session_->press(event.button, held_);
+    atelier_->press(event.button, held_);
   } else {
     io.MouseDown[n] = true;
   }
@@ -103,22 +103,22 @@ bool Interface::feedKey(const KeyChanged& event) {
   held_.ctrl = io.KeyCtrl = down(KeyCode::leftControl, KeyCode::rightControl);
   held_.shift = io.KeyShift = down(KeyCode::leftShift, KeyCode::rightShift);
   held_.alt = io.KeyAlt = down(KeyCode::leftAlt, KeyCode::rightAlt);
-  session_->modifiers(held_);
-  session_->touch();
-  if (session_->rebinding && event.down && !isModifier(event.key)) {
+  atelier_->modifiers(held_);
+  atelier_->touch();
+  if (atelier_->rebinding && event.down && !isModifier(event.key)) {
     rebind({event.key, held_});
   } else if (event.down && !isModifier(event.key) && !panelsHaveKeys()) {
-    session_->key({event.key, held_}, event.repeated);
+    atelier_->key({event.key, held_}, event.repeated);
   }
   return true;
 }
 
 // The key that the help window waits for. Escape leaves the command without one.
 void Interface::rebind(const Chord& chord) {
-  const Command command = *std::exchange(session_->rebinding, std::nullopt);
-  session_->justRebound = true;
+  const Command command = *std::exchange(atelier_->rebinding, std::nullopt);
+  atelier_->justRebound = true;
   const bool none = chord.key == KeyCode::escape;
-  session_->keymap.bind(command, none ? std::vector<Chord>{} : std::vector<Chord>{chord});
+  atelier_->keymap.bind(command, none ? std::vector<Chord>{} : std::vector<Chord>{chord});
 }
 
 void Interface::releaseAll() {
@@ -126,7 +126,7 @@ void Interface::releaseAll() {
   std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
   io.KeyCtrl = io.KeyShift = io.KeyAlt = false;
   held_ = {};
-  session_->modifiers({});
+  atelier_->modifiers({});
 }
 
 // False: this event and what follows wait for the next frame.
@@ -139,7 +139,7 @@ bool Interface::feedOne(const InputEvent& event) {
     return feedKey(*key);
   } else if (const auto* wheel = std::get_if<WheelTurned>(&event)) {
     if (movedNow_) return false;
-    if (!panelsHavePointer()) session_->wheel(wheel->by.y, held_);
+    if (!panelsHavePointer()) atelier_->wheel(wheel->by.y, held_);
     if (panelsHavePointer()) {
       ImGui::GetIO().MouseWheel += float(wheel->by.y);
       ImGui::GetIO().MouseWheelH += float(wheel->by.x);
@@ -149,13 +149,13 @@ bool Interface::feedOne(const InputEvent& event) {
   } else if (const auto* focus = std::get_if<FocusChanged>(&event)) {
     if (!focus->focused) releaseAll();
   } else if (const auto* files = std::get_if<FilesDropped>(&event)) {
-    session_->drop(files->paths);
+    atelier_->drop(files->paths);
   } else if (const auto* puck = std::get_if<PuckMoved>(&event)) {
-    session_->puck(*puck);
+    atelier_->puck(*puck);
   } else if (const auto* puckButton = std::get_if<PuckButton>(&event)) {
-    session_->puckButton(*puckButton);
+    atelier_->puckButton(*puckButton);
   } else if (std::holds_alternative<CloseAsked>(event)) {
-    session_->askToClose();
+    atelier_->askToClose();
   }
   return true;
 }
@@ -178,13 +178,13 @@ Publication Interface::frame(glm::dvec2 size, double now) {
   io.DisplaySize = {float(size.x), float(size.y)};
   io.DeltaTime = float(std::clamp(now - last_, 1e-4, 0.25));
   last_ = now;
-  session_->setTime(now);
-  layout_ = layoutFor(size, scale_, session_->panelsShown && !session_->fullScreen);
+  atelier_->setTime(now);
+  layout_ = layoutFor(size, scale_, atelier_->panelsShown && !atelier_->fullScreen);
   const Rect& at = layout_.viewport;
-  session_->setViewport(at.low, {at.width(), at.height()}, scale_);
-  Publication fresh = session_->poll();
+  atelier_->setViewport(at.low, {at.width(), at.height()}, scale_);
+  Publication fresh = atelier_->poll();
   feed();
-  const bool byKeyboard = session_->dialog != Dialog::none;
+  const bool byKeyboard = atelier_->dialog != Dialog::none;
   io.ConfigFlags = byKeyboard ? ImGuiConfigFlags_NavEnableKeyboard : 0;
   ImGui::NewFrame();
   build();
@@ -193,9 +193,9 @@ Publication Interface::frame(glm::dvec2 size, double now) {
 }
 
 void Interface::build() {
-  const PanelContext context{*session_, layout_, pictures, figures};
+  const PanelContext context{*atelier_, layout_, pictures, figures};
   drawViewportMarks(context);
-  if (session_->panelsShown && !session_->fullScreen) {
+  if (atelier_->panelsShown && !atelier_->fullScreen) {
     drawTopBar(context);
     drawToolColumn(context);
     drawProperties(context);

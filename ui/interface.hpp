@@ -11,7 +11,7 @@ namespace bozzetto::ui {
 
 class Interface {
  public:
-  explicit Interface(Session& session);
+  explicit Interface(Atelier& atelier);
   ~Interface();
   Interface(const Interface&) = delete;
   Interface& operator=(const Interface&) = delete;
@@ -45,7 +45,7 @@ class Interface {
   bool panelsHaveKeys() const;
   void build();
 
-  Session* session_;
+  Atelier* atelier_;
   ImGuiContext* context_;
   std::deque<InputEvent> events_;
   Layout layout_;

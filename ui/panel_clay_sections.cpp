@@ -13,12 +13,12 @@ std::string millimetres(const glm::dvec3& size) {
 
 }  // namespace
 
-void claySection(Session& session) {
-  const ClayStatistics& counted = session.statistics();
-  const ClayStatus& status = session.status();
+void claySection(Atelier& atelier) {
+  const ClayStatistics& counted = atelier.statistics();
+  const ClayStatus& status = atelier.status();
   const double spacing = status.scale.spacing;
   const CellBounds& bounds = status.bounds;
-  factLine("Triangles", grouped((long long)session.patches().triangles()));
+  factLine("Triangles", grouped((long long)atelier.patches().triangles()));
   factLine("Mass", fmt::format("{:.6g} mm³", counted.field.mass), "Σ density × cell volume.");
   if (!bounds.empty()) {
     factLine("Size", millimetres((bounds.high - bounds.low) * spacing) + " mm");
@@ -31,28 +31,28 @@ void claySection(Session& session) {
   factLine("Memory", byteText(double(counted.field.bytes)), "Of the clay's blocks and nodes.");
   factLine("Cell", fmt::format("{:.5g} mm", spacing), "World units between corners.");
   factLine("Iso", fmt::format("{:.3g}", status.scale.iso), "Density at the surface.");
-  double wanted = session.wantedSpacing.value_or(spacing);
+  double wanted = atelier.wantedSpacing.value_or(spacing);
   if (slider("New cell size", wanted, {spacing / 4, spacing * 4, "mm", 1, 3, true},
              "Finer or coarser clay, the same shape.")) {
-    session.wantedSpacing = wanted;
+    atelier.wantedSpacing = wanted;
   }
   const bool differs = std::abs(wanted / spacing - 1) > 1e-3;
   ImGui::BeginDisabled(!differs);
   if (button("Resample", {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::plain,
              "Puts the clay on the new grid; can be undone.")) {
-    session.wantedSpacing.reset();
-    session.resample(wanted);
+    atelier.wantedSpacing.reset();
+    atelier.resample(wanted);
   }
   ImGui::EndDisabled();
 }
 
-void historySection(Session& session) {
-  const ClayStatus& status = session.status();
+void historySection(Atelier& atelier) {
+  const ClayStatus& status = atelier.status();
   const auto line = [&](std::size_t done, const std::string& text) {
     ImGui::PushID(int(done));
     const bool current = status.done == done;
     if (done > status.done) ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::faint));
-    if (ImGui::Selectable(text.c_str(), current)) session.goToStep(done);
+    if (ImGui::Selectable(text.c_str(), current)) atelier.goToStep(done);
     if (done > status.done) ImGui::PopStyleColor();
     if (current && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
     ImGui::PopID();
@@ -70,8 +70,8 @@ void historySection(Session& session) {
   ImGui::EndChild();
 }
 
-void performanceSection(Session& session, const FrameFigures& figures) {
-  const OperationReport& last = session.status().last;
+void performanceSection(Atelier& atelier, const FrameFigures& figures) {
+  const OperationReport& last = atelier.status().last;
   factLine("Last operation", last.op.empty() ? "none" : last.op);
   factLine("Dabs", grouped(last.dabs));
   factLine("Visited", grouped(last.visited), "Corners in the boxes of the dabs (Ferley §3.2).");

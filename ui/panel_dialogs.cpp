@@ -57,67 +57,67 @@ struct FileDialog {
   double keep = 1;
 };
 
-std::string suggestedName(const Session& session, const Purpose& purpose) {
+std::string suggestedName(const Atelier& atelier, const Purpose& purpose) {
   if (*purpose.ending == 0) return "";
-  if (purpose.dialog == Dialog::saveAs && !session.path().empty()) {
-    return session.path().filename().string();
+  if (purpose.dialog == Dialog::saveAs && !atelier.path().empty()) {
+    return atelier.path().filename().string();
   }
-  return session.title() + purpose.ending;
+  return atelier.title() + purpose.ending;
 }
 
-void begin(FileDialog& state, const Session& session, const Purpose& purpose) {
-  fs::path folder = session.settings.folder;
-  if (folder.empty() && !session.path().empty()) {
-    folder = fs::absolute(session.path()).parent_path();
+void begin(FileDialog& state, const Atelier& atelier, const Purpose& purpose) {
+  fs::path folder = atelier.settings.folder;
+  if (folder.empty() && !atelier.path().empty()) {
+    folder = fs::absolute(atelier.path()).parent_path();
   }
   state.open = purpose.dialog;
   state.browser.open(folder, purpose.endings);
-  state.name = suggestedName(session, purpose);
+  state.name = suggestedName(atelier, purpose);
   state.chosen = -1;
   state.askedToReplace = false;
   state.focusName = true;
 }
 
-void perform(Session& session, const FileDialog& state, const fs::path& path) {
-  session.dialog = Dialog::none;
-  session.settings.folder = path.parent_path().string();
+void perform(Atelier& atelier, const FileDialog& state, const fs::path& path) {
+  atelier.dialog = Dialog::none;
+  atelier.settings.folder = path.parent_path().string();
   switch (state.open) {
     case Dialog::open:
-      return session.openScene(path);
+      return atelier.openScene(path);
     case Dialog::saveAs:
-      return session.saveScene(path);
+      return atelier.saveScene(path);
     case Dialog::import:
-      return session.importMesh(path, state.cells);
+      return atelier.importMesh(path, state.cells);
     case Dialog::exportMesh:
-      return session.exportMesh(path, state.keep);
+      return atelier.exportMesh(path, state.keep);
     case Dialog::picture:
-      return session.takePicture({path, state.width, state.height, 16, 1});
+      return atelier.takePicture({path, state.width, state.height, 16, 1});
     case Dialog::turntable:
-      return session.takePicture({path, state.width, state.height, 8, state.frames});
+      return atelier.takePicture({path, state.width, state.height, 8, state.frames});
     case Dialog::windowPicture:
-      session.windowPicture = path;
+      atelier.windowPicture = path;
       return;
     case Dialog::reference:
-      return session.addReference(path);
+      return atelier.addReference(path);
     case Dialog::matcap:
-      return session.loadMatcap(path);
+      return atelier.loadMatcap(path);
     case Dialog::record:
-      return session.saveRecording(path);
+      return atelier.saveRecording(path);
     case Dialog::replay:
-      return session.replay(path);
+      return atelier.replay(path);
     default:
       return;
   }
 }
 
 // Enter, a double click or the button: goes into folders, asks before it replaces.
-void accept(Session& session, FileDialog& state, const Purpose& purpose) {
+void accept(Atelier& atelier, FileDialog& state, const Purpose& purpose) {
   if (state.name.empty()) return;
   fs::path path = state.browser.resolve(state.name);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
     state.browser.enter(path);
-    state.name = suggestedName(session, purpose);
+    state.name = suggestedName(atelier, purpose);
     state.chosen = -1;
     state.focusName = true;
     return;
@@ -125,14 +125,14 @@ void accept(Session& session, FileDialog& state, const Purpose& purpose) {
   const bool writes = *purpose.ending != 0;
   if (writes && path.extension().empty()) path += purpose.ending;
   if (!writes && !fs::exists(path, ignored)) {
-    session.say(Message::Kind::error, path.filename().string() + ": no such file");
+    atelier.say(Message::Kind::error, path.filename().string() + ": no such file");
     return;
   }
-  if (writes && fs::exists(path, ignored) && path != session.path() && !state.askedToReplace) {
+  if (writes && fs::exists(path, ignored) && path != atelier.path() && !state.askedToReplace) {
     state.askedToReplace = true;
     return;
   }
-  perform(session, state, path);
+  perform(atelier, state, path);
   ImGui::CloseCurrentPopup();
 }
 
@@ -235,8 +235,8 @@ void folderLine(FileDialog& state) {
   ImGui::TextUnformatted((text == folder ? text : "…" + text).c_str());
 }
 
-void fileDialog(Session& session, FileDialog& state, const Purpose& purpose) {
-  if (state.open != session.dialog) begin(state, session, purpose);
+void fileDialog(Atelier& atelier, FileDialog& state, const Purpose& purpose) {
+  if (state.open != atelier.dialog) begin(state, atelier, purpose);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, 0, {.5f, .5f});
   ImGui::SetNextWindowSize(
@@ -270,16 +270,16 @@ void fileDialog(Session& session, FileDialog& state, const Purpose& purpose) {
   bool leave = button("Cancel", {px(84), 0}) || !open;
   leave |= pressed(ImGuiKey_Escape);
   if (!typing && pressed(ImGuiKey_Backspace)) state.browser.up();
-  if (accepted) accept(session, state, purpose);
+  if (accepted) accept(atelier, state, purpose);
   if (leave) {
-    session.dialog = Dialog::none;
+    atelier.dialog = Dialog::none;
     ImGui::CloseCurrentPopup();
   }
-  if (session.dialog == Dialog::none) state.open = Dialog::none;
+  if (atelier.dialog == Dialog::none) state.open = Dialog::none;
   ImGui::EndPopup();
 }
 
-void unsavedDialog(Session& session) {
+void unsavedDialog(Atelier& atelier) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, 0, {.5f, .5f});
   ImGui::SetNextWindowSize({px(420), 0});
@@ -289,7 +289,7 @@ void unsavedDialog(Session& session) {
     return;
   }
   ImGui::PushTextWrapPos();
-  const std::string text = "“" + session.title() + "” has changes that are not saved.";
+  const std::string text = "“" + atelier.title() + "” has changes that are not saved.";
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Dummy({1, px(4)});
@@ -302,8 +302,8 @@ void unsavedDialog(Session& session) {
   const bool stay =
       button("Cancel", size) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (save || discard || stay) ImGui::CloseCurrentPopup();
-  if (save || discard) session.answerUnsaved(save);
-  if (stay) session.dialog = Dialog::none;
+  if (save || discard) atelier.answerUnsaved(save);
+  if (stay) atelier.dialog = Dialog::none;
   ImGui::EndPopup();
 }
 
@@ -311,12 +311,12 @@ void unsavedDialog(Session& session) {
 
 void drawDialogs(const PanelContext& context) {
   static FileDialog state;
-  Session& session = context.session;
+  Atelier& atelier = context.atelier;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(10));
-  if (const Purpose* purpose = purposeOf(session.dialog)) {
-    fileDialog(session, state, *purpose);
-  } else if (session.dialog == Dialog::unsaved) {
-    unsavedDialog(session);
+  if (const Purpose* purpose = purposeOf(atelier.dialog)) {
+    fileDialog(atelier, state, *purpose);
+  } else if (atelier.dialog == Dialog::unsaved) {
+    unsavedDialog(atelier);
   }
   ImGui::PopStyleVar();
 }

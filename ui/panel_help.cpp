@@ -26,28 +26,28 @@ void mouseTable() {
   }
 }
 
-void keyRow(Session& session, const CommandRow& row) {
+void keyRow(Atelier& atelier, const CommandRow& row) {
   ImGui::TableNextRow();
   ImGui::PushID(int(row.command));
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(row.title.data(), row.title.data() + row.title.size());
   tooltip(std::string(row.tip));
   ImGui::TableNextColumn();
-  const bool waits = session.rebinding == row.command;
-  const std::string keys = toText(session.keymap.chords(row.command));
+  const bool waits = atelier.rebinding == row.command;
+  const std::string keys = toText(atelier.keymap.chords(row.command));
   const std::string text = waits ? "press a key, Esc: none" : keys.empty() ? "–" : keys;
-  if (session.keymap.isChanged(row.command)) {
+  if (atelier.keymap.isChanged(row.command)) {
     ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::second));
   } else {
     ImGui::PushStyleColor(ImGuiCol_Text, ink(waits ? tint::accentHover : tint::text));
   }
-  if (ImGui::Selectable(text.c_str(), waits)) session.rebinding = row.command;
+  if (ImGui::Selectable(text.c_str(), waits)) atelier.rebinding = row.command;
   ImGui::PopStyleColor();
   tooltip("Click, then press the new key.");
   ImGui::PopID();
 }
 
-void keyTables(Session& session) {
+void keyTables(Atelier& atelier) {
   CommandGroup group = CommandGroup::help;
   for (const CommandRow& row : commandTable()) {
     if (row.group != group) {
@@ -62,15 +62,15 @@ void keyTables(Session& session) {
       ImGui::PopFont();
       ImGui::TableNextColumn();
     }
-    keyRow(session, row);
+    keyRow(atelier, row);
   }
 }
 
 }  // namespace
 
 void drawHelp(const PanelContext& context) {
-  Session& session = context.session;
-  if (session.dialog != Dialog::help) return;
+  Atelier& atelier = context.atelier;
+  if (atelier.dialog != Dialog::help) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 size{std::min(px(620), screen.x - px(40)), std::min(px(620), screen.y - px(40))};
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, 0, {.5f, .5f});
@@ -81,25 +81,25 @@ void drawHelp(const PanelContext& context) {
                               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
     return;
   }
-  int profile = int(session.keymap.profile());
+  int profile = int(atelier.keymap.profile());
   if (choice("profile", profile, {"Like Blender", "Like ZBrush"}, "Two sets of keys.")) {
-    session.keymap.setProfile(KeyProfile(profile));
+    atelier.keymap.setProfile(KeyProfile(profile));
   }
   ImGui::BeginChild("keys", {0, -px(40)});
   if (ImGui::BeginTable("table", 2, ImGuiTableFlags_RowBg)) {
     mouseTable();
-    keyTables(session);
+    keyTables(atelier);
     ImGui::EndTable();
   }
   ImGui::EndChild();
-  if (button("All keys as they were", {px(200), 0})) session.keymap.resetToDefaults();
+  if (button("All keys as they were", {px(200), 0})) atelier.keymap.resetToDefaults();
   ImGui::SameLine(ImGui::GetWindowWidth() - px(134));
   const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) &&
-                      !session.rebinding && !session.justRebound;
-  session.justRebound = false;
+                      !atelier.rebinding && !atelier.justRebound;
+  atelier.justRebound = false;
   if (button("Close", {px(120), 0}, ButtonKind::accent) || escape || !open) {
-    session.dialog = Dialog::none;
-    session.rebinding.reset();
+    atelier.dialog = Dialog::none;
+    atelier.rebinding.reset();
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();

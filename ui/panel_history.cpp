@@ -10,24 +10,24 @@
 namespace bozzetto::ui {
 namespace {
 
-bool arrow(Session& session, Command command, ImVec2 centre) {
+bool arrow(Atelier& atelier, Command command, ImVec2 centre) {
   const float r = px(15);
   ImGui::SetCursorScreenPos({centre.x - r, centre.y - r});
   ImGui::PushID(int(command));
   const bool clicked = ImGui::InvisibleButton("arrow", {2 * r, 2 * r});
-  const bool possible = session.isPossible(command);
+  const bool possible = atelier.isPossible(command);
   const unsigned colour = !possible ? tint::faint : ImGui::IsItemHovered() ? 0xFFFFFF : tint::text;
   drawTurn(ImGui::GetWindowDrawList(), centre, command == Command::undo ? Turn::undo : Turn::redo,
            ink(colour));
-  tooltip(session.keymap, command);
+  tooltip(atelier.keymap, command);
   ImGui::PopID();
-  if (clicked && possible) session.run(command);
+  if (clicked && possible) atelier.run(command);
   return clicked;
 }
 
 void stepCard(const PanelContext& context, std::size_t n, ImVec2 low, ImVec2 size) {
-  Session& session = context.session;
-  const ClayStatus& status = session.status();
+  Atelier& atelier = context.atelier;
+  const ClayStatus& status = atelier.status();
   const bool current = n + 1 == status.done, ahead = n >= status.done;
   const StepLine step = status.steps[n];
   const auto found = context.pictures.steps.find(step.id);
@@ -35,7 +35,7 @@ void stepCard(const PanelContext& context, std::size_t n, ImVec2 low, ImVec2 siz
   ImDrawList* list = ImGui::GetWindowDrawList();
   ImGui::SetCursorScreenPos(low);
   ImGui::PushID(int(n));
-  if (ImGui::InvisibleButton("step", size)) session.goToStep(n + 1);
+  if (ImGui::InvisibleButton("step", size)) atelier.goToStep(n + 1);
   const bool hovered = ImGui::IsItemHovered();
   tooltip(fmt::format("{}. {}", n + 1, step.label));
   ImGui::PopID();
@@ -68,9 +68,9 @@ void stepCard(const PanelContext& context, std::size_t n, ImVec2 low, ImVec2 siz
 }  // namespace
 
 void drawHistoryStrip(const PanelContext& context) {
-  Session& session = context.session;
-  const ClayStatus& status = session.status();
-  if (status.steps.empty() || !session.panelsShown || session.fullScreen) return;
+  Atelier& atelier = context.atelier;
+  const ClayStatus& status = atelier.status();
+  if (status.steps.empty() || !atelier.panelsShown || atelier.fullScreen) return;
   const Rect& at = context.layout.viewport;
   const float cardW = px(58), cardH = px(46), gap = px(6), pad = px(8), arrows = px(43);
   const int room = int((at.width() - 2 * (arrows + pad) - px(120)) / (cardW + gap));
@@ -92,10 +92,10 @@ void drawHistoryStrip(const PanelContext& context) {
   list->AddRectFilled(low, high, ink(0x1B1D20, .93f), px(10));
   list->AddRect(low, high, ink(0xFFFFFF, .07f), px(10));
   const float middle = low.y + height / 2;
-  arrow(session, Command::undo, {low.x + pad + px(15), middle});
-  arrow(session, Command::redo, {high.x - pad - px(15), middle});
+  arrow(atelier, Command::undo, {low.x + pad + px(15), middle});
+  arrow(atelier, Command::redo, {high.x - pad - px(15), middle});
   float x = low.x + pad + arrows;
-  for (int n = first; n < first + shown && n < int(session.status().steps.size()); ++n) {
+  for (int n = first; n < first + shown && n < int(atelier.status().steps.size()); ++n) {
     stepCard(context, std::size_t(n), {x, low.y + pad}, {cardW, cardH});
     x += cardW + gap;
   }

@@ -6,18 +6,18 @@
 namespace bozzetto::ui {
 namespace {
 
-void tools(Session& session) {
+void tools(Atelier& atelier) {
   const float gap = px(6), side = (ImGui::GetContentRegionAvail().x - 4 * gap) / 5;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (const ToolRow& row : toolTable()) {
     if ((&row - toolTable().data()) % 5 != 0) ImGui::SameLine();
     ImGui::PushID(int(row.action));
     if (ImGui::InvisibleButton("tool", {side, side})) {
-      session.setTool(row.action);
-      session.paletteOpen = false;
+      atelier.setTool(row.action);
+      atelier.paletteOpen = false;
     }
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    const bool chosen = session.sculpt.action == row.action;
+    const bool chosen = atelier.sculpt.action == row.action;
     ImDrawList* list = ImGui::GetWindowDrawList();
     if (chosen || ImGui::IsItemHovered()) {
       list->AddRectFilled(low, high, ink(chosen ? tint::accent : tint::hover), px(9));
@@ -34,12 +34,12 @@ void tools(Session& session) {
 }  // namespace
 
 void drawPalette(const PanelContext& context) {
-  Session& session = context.session;
-  if (!session.paletteOpen) return;
+  Atelier& atelier = context.atelier;
+  if (!atelier.paletteOpen) return;
   const float width = px(290);
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float left = std::clamp(float(session.palettePlace.x) - width / 2, 0.f, size.x - width);
-  const float top = std::clamp(float(session.palettePlace.y) - px(34), 0.f, size.y - px(360));
+  const float left = std::clamp(float(atelier.palettePlace.x) - width / 2, 0.f, size.x - width);
+  const float top = std::clamp(float(atelier.palettePlace.y) - px(34), 0.f, size.y - px(360));
   ImGui::SetNextWindowPos({left, top});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(12));
@@ -47,9 +47,9 @@ void drawPalette(const PanelContext& context) {
   ImGui::Begin("palette", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
-  tools(session);
-  SculptState& sculpt = session.sculpt;
-  const double cell = session.status().scale.spacing;
+  tools(atelier);
+  SculptState& sculpt = atelier.sculpt;
+  const double cell = atelier.status().scale.spacing;
   slider("Size", sculpt.size, {kSmallestToolCells * cell, 128 * cell, "mm", 1, 1, true},
          "The tool's limit of influence.");
   if (rowOf(sculpt.action).usesStrength) {
@@ -64,14 +64,14 @@ void drawPalette(const PanelContext& context) {
     ImGui::PushID(n++);
     if (swatch("swatch", colour, side, colour == sculpt.colour)) {
       sculpt.colour = colour;
-      session.paletteOpen = false;
+      atelier.paletteOpen = false;
     }
     ImGui::PopID();
   }
   ImGui::PopStyleVar();
   const bool outside = ImGui::IsMouseClicked(0) &&
                        !ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  if (outside || ImGui::IsMouseClicked(1)) session.paletteOpen = false;
+  if (outside || ImGui::IsMouseClicked(1)) atelier.paletteOpen = false;
   ImGui::End();
 }
 

@@ -89,12 +89,12 @@ void falloff(SculptState& sculpt) {
 
 }  // namespace
 
-void toolSection(Session& session) {
-  SculptState& sculpt = session.sculpt;
+void toolSection(Atelier& atelier) {
+  SculptState& sculpt = atelier.sculpt;
   const ToolRow& row = rowOf(sculpt.action);
   toolCard(sculpt, row);
   ImGui::Dummy({1, px(2)});
-  const double cell = session.status().scale.spacing;
+  const double cell = atelier.status().scale.spacing;
   Slide size{kSmallestToolCells * cell, 128 * cell, "mm", 1, sculpt.size < 10 ? 2 : 1, true};
   size.pen = sculpt.pressureSize;
   slider("Size", sculpt.size, size, "The tool's limit of influence. F drags it, [ and ] step it.");
@@ -109,8 +109,8 @@ void toolSection(Session& session) {
   falloff(sculpt);
 }
 
-void shapeSection(Session& session) {
-  SculptState& sculpt = session.sculpt;
+void shapeSection(Atelier& atelier) {
+  SculptState& sculpt = atelier.sculpt;
   int shape = int(sculpt.shape);
   if (choice("shape", shape, {"Ball", "Box", "Tube", "Capsule"}, "The tool's shape.")) {
     sculpt.shape = Shape(shape);
@@ -133,8 +133,8 @@ void shapeSection(Session& session) {
   }
 }
 
-void colourSection(Session& session) {
-  SculptState& sculpt = session.sculpt;
+void colourSection(Atelier& atelier) {
+  SculptState& sculpt = atelier.sculpt;
   const float gap = px(6), side = (ImGui::GetContentRegionAvail().x - 6 * gap) / 7;
   int n = 0;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
@@ -155,29 +155,29 @@ void colourSection(Session& session) {
   ImGui::SameLine();
   if (button("Pick", {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::plain,
              "Takes a colour from the clay (E).")) {
-    session.run(Command::eyedropper);
+    atelier.run(Command::eyedropper);
   }
 }
 
 void drawProperties(const PanelContext& context) {
-  Session& session = context.session;
+  Atelier& atelier = context.atelier;
   const Rect& at = context.layout.properties;
   ImGui::SetNextWindowPos({float(at.low.x), float(at.low.y)});
   ImGui::SetNextWindowSize({float(at.width()), float(at.height())});
   const ImGuiWindowFlags flags = kFixed & ~ImGuiWindowFlags_NoScrollbar;
   ImGui::Begin("properties", nullptr, flags);
-  toolSection(session);
-  if (section("Look")) lookSection(session, context.pictures);
-  if (section("Colour")) colourSection(session);
-  if (section("Tool", false)) shapeSection(session);
-  if (section("Stroke", false)) strokeSection(session);
-  if (section("Symmetry", false)) symmetrySection(session);
-  if (section("Lights", false)) lightSection(session);
-  if (section("View", false)) viewSection(session);
-  if (section("References", false)) referenceSection(session);
-  if (section("Clay")) claySection(session);
-  if (section("History", false)) historySection(session);
-  if (section("Performance", false)) performanceSection(session, context.figures);
+  toolSection(atelier);
+  if (section("Look")) lookSection(atelier, context.pictures);
+  if (section("Colour")) colourSection(atelier);
+  if (section("Tool", false)) shapeSection(atelier);
+  if (section("Stroke", false)) strokeSection(atelier);
+  if (section("Symmetry", false)) symmetrySection(atelier);
+  if (section("Lights", false)) lightSection(atelier);
+  if (section("View", false)) viewSection(atelier);
+  if (section("References", false)) referenceSection(atelier);
+  if (section("Clay")) claySection(atelier);
+  if (section("History", false)) historySection(atelier);
+  if (section("Performance", false)) performanceSection(atelier, context.figures);
   ImGui::End();
 }
 

@@ -47,8 +47,8 @@ std::vector<Hint> draggingHints(Gesture gesture) {
   }
 }
 
-void addMiddle(const Session& session, Modifiers held, std::vector<Hint>& hints) {
-  if (session.mouseMoves == Moves::light) {
+void addMiddle(const Atelier& atelier, Modifiers held, std::vector<Hint>& hints) {
+  if (atelier.mouseMoves == Moves::light) {
     hints.push_back({"", MousePart::middle, "Turn light"});
     return;
   }
@@ -59,28 +59,28 @@ void addMiddle(const Session& session, Modifiers held, std::vector<Hint>& hints)
   hints.push_back({"", MousePart::wheel, wheel});
 }
 
-std::vector<Hint> restingHints(const Session& session) {
-  const SculptState& sculpt = session.sculpt;
-  const bool blender = session.keymap.profile() == KeyProfile::blender;
-  const Modifiers held = session.held();
+std::vector<Hint> restingHints(const Atelier& atelier) {
+  const SculptState& sculpt = atelier.sculpt;
+  const bool blender = atelier.keymap.profile() == KeyProfile::blender;
+  const Modifiers held = atelier.held();
   std::vector<Hint> hints;
-  const bool turns = sculpt.emptyDrag == EmptyDrag::orbit && !session.hover().ground;
+  const bool turns = sculpt.emptyDrag == EmptyDrag::orbit && !atelier.hover().ground;
   if (blender && held.alt) {
     hints.push_back({"", MousePart::left, "Orbit"});
   } else {
-    hints.push_back({"", MousePart::left, turns ? "Orbit" : verb(session.actionNow())});
+    hints.push_back({"", MousePart::left, turns ? "Orbit" : verb(atelier.actionNow())});
   }
   if (held.none()) {
     const ActionKind inverse = rowOf(sculpt.action).inverse;
     if (inverse != sculpt.action) {
-      hints.push_back({std::string(session.keymap.invertName()), MousePart::left, verb(inverse)});
+      hints.push_back({std::string(atelier.keymap.invertName()), MousePart::left, verb(inverse)});
     }
     if (sculpt.action != ActionKind::smooth) {
       hints.push_back({"Shift", MousePart::left, "Smooth"});
     }
   }
   hints.push_back({"", MousePart::right, blender ? "Size · strength" : "Orbit"});
-  addMiddle(session, held, hints);
+  addMiddle(atelier, held, hints);
   return hints;
 }
 
@@ -100,19 +100,19 @@ float drawHint(ImDrawList* list, const Hint& hint, float x, float y) {
   return x + textWidth(font, hint.verb);
 }
 
-std::string savedText(const Session& session) {
-  if (!session.isModified() && !session.path().empty()) {
-    if (session.savedAt() < 0) return "saved";
-    const double ago = session.now() - session.savedAt();
+std::string savedText(const Atelier& atelier) {
+  if (!atelier.isModified() && !atelier.path().empty()) {
+    if (atelier.savedAt() < 0) return "saved";
+    const double ago = atelier.now() - atelier.savedAt();
     return ago < 60 ? fmt::format("saved {:.0f} s ago", ago)
                     : fmt::format("saved {:.0f} min ago", ago / 60);
   }
-  return session.isModified() ? "not saved" : "";
+  return atelier.isModified() ? "not saved" : "";
 }
 
-std::string factText(const Session& session, bool wide) {
-  const ClayStatus& status = session.status();
-  const auto triangles = (long long)session.patches().triangles();
+std::string factText(const Atelier& atelier, bool wide) {
+  const ClayStatus& status = atelier.status();
+  const auto triangles = (long long)atelier.patches().triangles();
   std::string text = wide || triangles < 1000 ? grouped(triangles) + " triangles"
                                               : fmt::format("{}k triangles", triangles / 1000);
   if (wide && status.last.op == "stroke") {
@@ -120,7 +120,7 @@ std::string factText(const Session& session, bool wide) {
     text +=
         fmt::format("   ·   dab {:.1f} ms", (status.last.msField + status.last.msSurface) / dabs);
   }
-  const std::string saved = savedText(session);
+  const std::string saved = savedText(atelier);
   return saved.empty() ? text : text + "   ·   " + saved;
 }
 
@@ -128,18 +128,18 @@ std::string factText(const Session& session, bool wide) {
 
 void drawStatusLine(const PanelContext& context) {
   const Rect& at = context.layout.status;
-  const Session& session = context.session;
+  const Atelier& atelier = context.atelier;
   ImGui::SetNextWindowPos({float(at.low.x), float(at.low.y)});
   ImGui::SetNextWindowSize({float(at.width()), float(at.height())});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ink(tint::bar));
   ImGui::Begin("status", nullptr, kFixed | ImGuiWindowFlags_NoInputs);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float y = float(at.centre().y), gap = px(at.width() < px(1400) ? 16.f : 24.f);
-  const std::string facts = factText(session, at.width() >= px(1400));
+  const std::string facts = factText(atelier, at.width() >= px(1400));
   const float end = float(at.high.x) - px(16) - textWidth(fonts().medium, facts);
   float x = px(16);
   const auto hints =
-      session.gesture() == Gesture::none ? restingHints(session) : draggingHints(session.gesture());
+      atelier.gesture() == Gesture::none ? restingHints(atelier) : draggingHints(atelier.gesture());
   for (const Hint& hint : hints) {
     if (x + textWidth(fonts().medium, hint.verb) + px(70) > end) break;
     x = drawHint(list, hint, x, y) + gap;

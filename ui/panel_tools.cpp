@@ -11,15 +11,15 @@ struct Cell {
   Command command;
 };
 
-void toolCell(Session& session, const Cell& cell, float left, float top) {
+void toolCell(Atelier& atelier, const Cell& cell, float left, float top) {
   const float side = px(44);
   ImGui::SetCursorScreenPos({left, top});
   ImGui::PushID(int(cell.action));
-  if (ImGui::InvisibleButton("tool", {side, side})) session.setTool(cell.action);
+  if (ImGui::InvisibleButton("tool", {side, side})) atelier.setTool(cell.action);
   const bool hovered = ImGui::IsItemHovered();
-  const bool chosen = session.sculpt.action == cell.action;
+  const bool chosen = atelier.sculpt.action == cell.action;
   // What a held key makes of the tool lights up too.
-  const bool meant = !chosen && session.actionNow() == cell.action;
+  const bool meant = !chosen && atelier.actionNow() == cell.action;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 low{left, top}, high{left + side, top + side};
   if (chosen) {
@@ -30,20 +30,20 @@ void toolCell(Session& session, const Cell& cell, float left, float top) {
   drawIcon(
       list, rowOf(cell.action).icon, {{left + side / 2, top + side / 2}, px(12.5f)},
       {chosen ? ink(0xFFFFFF) : ink(tint::icon), chosen ? ink(tint::onAccent) : ink(tint::accent)});
-  tooltip(session.keymap, cell.command);
+  tooltip(atelier.keymap, cell.command);
   ImGui::PopID();
 }
 
-void colourBalls(Session& session, const Rect& at) {
+void colourBalls(Atelier& atelier, const Rect& at) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float x = float(at.centre().x), y = float(at.high.y) - px(32);
   ImGui::SetCursorScreenPos({x - px(19), y - px(19)});
-  if (ImGui::InvisibleButton("colours", {px(42), px(42)})) session.run(Command::swapColours);
-  tooltip(session.keymap, Command::swapColours);
-  list->AddCircleFilled({x, y}, px(17), ink(session.sculpt.colour), 40);
+  if (ImGui::InvisibleButton("colours", {px(42), px(42)})) atelier.run(Command::swapColours);
+  tooltip(atelier.keymap, Command::swapColours);
+  list->AddCircleFilled({x, y}, px(17), ink(atelier.sculpt.colour), 40);
   list->AddCircle({x, y}, px(19.5f), ink(0xFFFFFF, .22f), 40, px(1.5f));
   list->AddCircleFilled({x + px(14), y + px(14)}, px(8), ink(tint::panel), 24);
-  list->AddCircleFilled({x + px(14), y + px(14)}, px(6), ink(session.sculpt.second), 24);
+  list->AddCircleFilled({x + px(14), y + px(14)}, px(6), ink(atelier.sculpt.second), 24);
 }
 
 }  // namespace
@@ -73,11 +73,11 @@ void drawToolColumn(const PanelContext& context) {
       y += px(9);
     }
     for (const Cell& cell : group) {
-      toolCell(context.session, cell, left, y);
+      toolCell(context.atelier, cell, left, y);
       y += px(48);
     }
   }
-  colourBalls(context.session, at);
+  colourBalls(context.atelier, at);
   ImGui::End();
 }
 

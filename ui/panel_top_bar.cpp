@@ -8,58 +8,58 @@
 namespace bozzetto::ui {
 namespace {
 
-void fileMenu(Session& session) {
+void fileMenu(Atelier& atelier) {
   for (const Command c : {Command::newBall, Command::newBlock, Command::newEmpty}) {
-    menuLine(session, c);
+    menuLine(atelier, c);
   }
   ImGui::Separator();
-  menuLine(session, Command::open);
-  if (ImGui::BeginMenu("Open recent", !session.settings.recent.empty())) {
-    const auto recent = session.settings.recent;
+  menuLine(atelier, Command::open);
+  if (ImGui::BeginMenu("Open recent", !atelier.settings.recent.empty())) {
+    const auto recent = atelier.settings.recent;
     for (const std::string& path : recent) {
       if (ImGui::MenuItem(path.c_str())) {
-        session.ifSaved([&session, path] { session.openScene(path); });
+        atelier.ifSaved([&atelier, path] { atelier.openScene(path); });
       }
     }
     ImGui::EndMenu();
   }
-  menuLine(session, Command::save);
-  menuLine(session, Command::saveAs);
-  menuLine(session, Command::saveNumbered);
+  menuLine(atelier, Command::save);
+  menuLine(atelier, Command::saveAs);
+  menuLine(atelier, Command::saveNumbered);
   ImGui::Separator();
-  for (const Command c : {Command::importMesh, Command::exportMesh}) menuLine(session, c);
+  for (const Command c : {Command::importMesh, Command::exportMesh}) menuLine(atelier, c);
   ImGui::Separator();
   for (const Command c : {Command::screenshot, Command::screenshotWindow, Command::turntable}) {
-    menuLine(session, c);
+    menuLine(atelier, c);
   }
   ImGui::Separator();
-  for (const Command c : {Command::reference, Command::loadMatcap}) menuLine(session, c);
+  for (const Command c : {Command::reference, Command::loadMatcap}) menuLine(atelier, c);
   ImGui::Separator();
-  menuLine(session, Command::quit);
+  menuLine(atelier, Command::quit);
 }
 
-void editMenu(Session& session) {
+void editMenu(Atelier& atelier) {
   for (const Command c : {Command::undo, Command::redo, Command::undoView, Command::redoView}) {
-    menuLine(session, c);
+    menuLine(atelier, c);
   }
   ImGui::Separator();
-  for (const Command c : {Command::record, Command::replay}) menuLine(session, c);
+  for (const Command c : {Command::record, Command::replay}) menuLine(atelier, c);
 }
 
-void groupMenu(Session& session, CommandGroup group) {
+void groupMenu(Atelier& atelier, CommandGroup group) {
   for (const CommandRow& row : commandTable())
-    if (row.group == group) menuLine(session, row.command);
+    if (row.group == group) menuLine(atelier, row.command);
 }
 
-void toolsMenu(Session& session) {
-  groupMenu(session, CommandGroup::tool);
+void toolsMenu(Atelier& atelier) {
+  groupMenu(atelier, CommandGroup::tool);
   ImGui::Separator();
-  groupMenu(session, CommandGroup::stroke);
+  groupMenu(atelier, CommandGroup::stroke);
   ImGui::Separator();
-  groupMenu(session, CommandGroup::move);
+  groupMenu(atelier, CommandGroup::move);
 }
 
-void menus(Session& session) {
+void menus(Atelier& atelier) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
   const auto menu = [&](const char* name, auto fill) {
     if (!ImGui::BeginMenu(name)) return;
@@ -69,11 +69,11 @@ void menus(Session& session) {
     ImGui::PopStyleVar(2);
     ImGui::EndMenu();
   };
-  menu("File", [&] { fileMenu(session); });
-  menu("Edit", [&] { editMenu(session); });
-  menu("View", [&] { groupMenu(session, CommandGroup::view); });
-  menu("Tools", [&] { toolsMenu(session); });
-  menu("Help", [&] { menuLine(session, Command::showHelp); });
+  menu("File", [&] { fileMenu(atelier); });
+  menu("Edit", [&] { editMenu(atelier); });
+  menu("View", [&] { groupMenu(atelier, CommandGroup::view); });
+  menu("Tools", [&] { toolsMenu(atelier); });
+  menu("Help", [&] { menuLine(atelier, Command::showHelp); });
   ImGui::PopStyleVar();
 }
 
@@ -83,7 +83,7 @@ float speedPill(const PanelContext& context, float right, float middle) {
   const double ms = context.figures.viewport.milliseconds;
   const Quality quality = context.figures.viewport.quality;
   const std::string text =
-      fmt::format("{:.0f} ms  ·  {}", ms, context.session.options.quality ? "fixed" : "Auto");
+      fmt::format("{:.0f} ms  ·  {}", ms, context.atelier.options.quality ? "fixed" : "Auto");
   const float width = textWidth(fonts().medium, text) + px(38);
   const ImVec2 at{right - width, middle - px(13)};
   ImGui::SetCursorScreenPos(at);
@@ -106,17 +106,17 @@ std::string mirrorText(const Symmetry& symmetry) {
   return text;
 }
 
-float mirrorPill(Session& session, float right, float middle) {
+float mirrorPill(Atelier& atelier, float right, float middle) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const Symmetry& symmetry = session.sculpt.symmetry;
+  const Symmetry& symmetry = atelier.sculpt.symmetry;
   const bool on = symmetry.mirror != std::array<bool, 3>{} || symmetry.radialCount > 1;
   const std::string text = mirrorText(symmetry);
   const float width = textWidth(fonts().medium, text) + px(44);
   const ImVec2 at{right - width, middle - px(13)};
   ImGui::SetCursorScreenPos(at);
-  if (ImGui::InvisibleButton("mirror", {width, px(26)})) session.run(Command::mirrorX);
+  if (ImGui::InvisibleButton("mirror", {width, px(26)})) atelier.run(Command::mirrorX);
   const bool hovered = ImGui::IsItemHovered();
-  tooltip(session.keymap, Command::mirrorX);
+  tooltip(atelier.keymap, Command::mirrorX);
   list->AddRectFilled(
       at, {right, at.y + px(26)},
       on ? ink(tint::second, hovered ? .3f : .2f) : ink(hovered ? tint::hover : tint::raised),
@@ -128,14 +128,14 @@ float mirrorPill(Session& session, float right, float middle) {
   return at.x;
 }
 
-void documentName(const Session& session, float left, float right, float middle) {
+void documentName(const Atelier& atelier, float left, float right, float middle) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const std::string text = fitted(fonts().semiBold, session.title(), right - left - px(40));
+  const std::string text = fitted(fonts().semiBold, atelier.title(), right - left - px(40));
   const float width = textWidth(fonts().semiBold, text);
   const float x = (left + right - width) / 2;
   drawText(list, fonts().semiBold, {x, middle - fonts().semiBold->FontSize / 2}, ink(tint::strong),
            text);
-  if (session.isModified()) {
+  if (atelier.isModified()) {
     list->AddCircleFilled({x + width + px(11), middle + px(1)}, px(3), ink(tint::accent));
   }
 }
@@ -153,13 +153,13 @@ void wordMark(ImDrawList* list, ImTextureID ball, float middle) {
 
 }  // namespace
 
-void menuLine(Session& session, Command command) {
+void menuLine(Atelier& atelier, Command command) {
   const CommandRow& row = rowOf(command);
-  const std::string key = session.keymap.chordText(command);
+  const std::string key = atelier.keymap.chordText(command);
   const std::string title(row.title);
-  if (ImGui::MenuItem(title.c_str(), key.c_str(), session.isChecked(command),
-                      session.isPossible(command))) {
-    session.run(command);
+  if (ImGui::MenuItem(title.c_str(), key.c_str(), atelier.isChecked(command),
+                      atelier.isPossible(command))) {
+    atelier.run(command);
   }
   tooltip(std::string(row.tip));
 }
@@ -180,12 +180,12 @@ void drawTopBar(const PanelContext& context) {
     wordMark(list, context.pictures.balls[0], middle);
     ImGui::SetCursorScreenPos({px(134), float(at.low.y)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(20), px(8)});
-    menus(context.session);
+    menus(context.atelier);
     ImGui::PopStyleVar();
     const float menusEnd = ImGui::GetItemRectMax().x;
     float left = speedPill(context, float(at.high.x) - px(14), middle);
-    left = mirrorPill(context.session, left - px(8), middle);
-    documentName(context.session, menusEnd, left, middle);
+    left = mirrorPill(context.atelier, left - px(8), middle);
+    documentName(context.atelier, menusEnd, left, middle);
     ImGui::EndMenuBar();
   }
   ImGui::PopStyleVar(2);

@@ -48,8 +48,8 @@ bool lookCard(const LookCard& card, ImTextureID ball, ImVec2 size, bool chosen) 
 
 }  // namespace
 
-void lookSection(Session& session, const UiPictures& pictures) {
-  Look& look = session.options.look;
+void lookSection(Atelier& atelier, const UiPictures& pictures) {
+  Look& look = atelier.options.look;
   const float gap = px(8), width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (std::size_t n = 0; n < kLookCards.size(); ++n) {
@@ -59,7 +59,7 @@ void lookSection(Session& session, const UiPictures& pictures) {
       look.mode = card.mode;
       look.matcap = card.matcap;
       look.matcapImage.reset();
-      session.touch();
+      atelier.touch();
     }
   }
   ImGui::PopStyleVar();
@@ -77,8 +77,8 @@ void lookSection(Session& session, const UiPictures& pictures) {
   }
 }
 
-void strokeSection(Session& session) {
-  SculptState& sculpt = session.sculpt;
+void strokeSection(Atelier& atelier) {
+  SculptState& sculpt = atelier.sculpt;
   toggle("Steady hand", sculpt.steady, "The tool follows the pointer on a rope (Shift+S).");
   if (sculpt.steady) {
     slider("Rope", sculpt.rope, {4, 200, "px", 1, 0, true}, "The rope's length in pixels.");
@@ -98,8 +98,8 @@ void strokeSection(Session& session) {
          "What the lightest touch gives.");
 }
 
-void symmetrySection(Session& session) {
-  Symmetry& symmetry = session.sculpt.symmetry;
+void symmetrySection(Atelier& atelier) {
+  Symmetry& symmetry = atelier.sculpt.symmetry;
   const char* names[] = {"Mirror X", "Mirror Y", "Mirror Z"};
   const char* tips[] = {"Left and right", "Up and down", "Front and back"};
   for (std::size_t n = 0; n < 3; ++n) toggle(names[n], symmetry.mirror[n], tips[n]);
@@ -112,10 +112,10 @@ void symmetrySection(Session& session) {
     symmetry.radialAxis = kAxes[std::size_t(axis)];
   }
   const float half = (ImGui::GetContentRegionAvail().x - px(8)) / 2;
-  const double spacing = session.status().scale.spacing;
+  const double spacing = atelier.status().scale.spacing;
   if (button("Centre on clay", {half, 0}, ButtonKind::plain,
              "Mirrors about the middle of the clay.")) {
-    symmetry.centre = session.patches().bounds().centre() * spacing;
+    symmetry.centre = atelier.patches().bounds().centre() * spacing;
   }
   ImGui::SameLine();
   if (button("Centre on 0", {half, 0}, ButtonKind::plain, "Mirrors about the origin.")) {
@@ -168,8 +168,8 @@ void oneLight(Studio& studio, std::size_t n) {
 
 }  // namespace
 
-void lightSection(Session& session) {
-  Look& look = session.options.look;
+void lightSection(Atelier& atelier) {
+  Look& look = atelier.options.look;
   Studio& studio = look.studio;
   int environment = int(studio.environment);
   if (choice("environment", environment, {"Studio", "Day", "Dusk", "Shop", "Zebra"},
@@ -193,8 +193,8 @@ void lightSection(Session& session) {
   }
 }
 
-void viewSection(Session& session) {
-  ViewOptions& options = session.options;
+void viewSection(Atelier& atelier) {
+  ViewOptions& options = atelier.options;
   int tool = int(options.tool);
   if (choice("tool", tool, {"Hidden", "Solid", "Clear", "Wires"}, "How the tool is shown (T).")) {
     options.tool = ToolDisplay(tool);
@@ -210,17 +210,17 @@ void viewSection(Session& session) {
   toggle("Grid", options.grid, "Lines on the floor.");
   toggle("Workspace box", options.box, "A box around the clay (B).");
   if (options.box && button("Fit the box", {ImGui::GetContentRegionAvail().x, 0})) {
-    session.run(Command::fitBox);
+    atelier.run(Command::fitBox);
   }
-  double angle = session.view.fieldOfView;
+  double angle = atelier.view.fieldOfView;
   if (slider("Lens", angle, {0.1, 1.6, "°", kDegrees}, "The picture's height as an angle.")) {
     // The clay at the target stays as large as it is.
-    session.view.distance *= std::tan(session.view.fieldOfView / 2) / std::tan(angle / 2);
-    session.view.fieldOfView = angle;
+    atelier.view.distance *= std::tan(atelier.view.fieldOfView / 2) / std::tan(angle / 2);
+    atelier.view.fieldOfView = angle;
   }
-  int orbit = int(session.settings.orbit);
+  int orbit = int(atelier.settings.orbit);
   if (choice("orbit", orbit, {"Turntable", "Trackball"}, "How dragging turns the view.")) {
-    session.settings.orbit = OrbitStyle(orbit);
+    atelier.settings.orbit = OrbitStyle(orbit);
   }
   int stereo = int(options.stereo.mode);
   if (choice("stereo", stereo, {"One eye", "Side", "Rows", "Red-cyan"}, "Two eyes.")) {
@@ -235,7 +235,7 @@ void viewSection(Session& session) {
   int structure = int(options.structure);
   if (choice("structure", structure, {"Surface", "Cubes", "Crossing"},
              "The data structure: all cubes with clay, cubes the surface crosses.")) {
-    session.showStructure(Structure(structure));
+    atelier.showStructure(Structure(structure));
   }
   int quality = options.quality ? int(*options.quality) + 1 : 0;
   if (choice("quality", quality, {"Auto", "0", "1", "2", "3", "4"}, "How much frames may cost.")) {
@@ -244,8 +244,8 @@ void viewSection(Session& session) {
   }
 }
 
-void referenceSection(Session& session) {
-  auto& references = session.options.references;
+void referenceSection(Atelier& atelier) {
+  auto& references = atelier.options.references;
   for (std::size_t n = 0; n < references.size(); ++n) {
     ReferencePicture& picture = references[n];
     ImGui::PushID(int(n));
@@ -262,7 +262,7 @@ void referenceSection(Session& session) {
   }
   if (button("Add a picture…", {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::plain,
              "A PNG, facing you as you look now.")) {
-    session.run(Command::reference);
+    atelier.run(Command::reference);
   }
 }
 

@@ -36,39 +36,39 @@ std::string viewName(const ViewState& view) {
   return "";
 }
 
-void label(ImDrawList* list, const Session& session, const Rect& at) {
-  const bool parallel = session.view.projection == Projection::orthographic;
-  const std::string side = viewName(session.view);
+void label(ImDrawList* list, const Atelier& atelier, const Rect& at) {
+  const bool parallel = atelier.view.projection == Projection::orthographic;
+  const std::string side = viewName(atelier.view);
   const std::string title =
       (parallel ? "Parallel" : "Perspective") + (side.empty() ? "" : "  ·  " + side);
   const ImVec2 low = corner(at.low);
   drawText(list, fonts().semiBold, {low.x + px(18), low.y + px(15)}, ink(0xFFFFFF, .86f), title);
   std::string look = "Studio";
   for (const LookCard& card : kLookCards)
-    if (isShown(card, session.options.look)) look = "Studio " + std::string(card.name);
+    if (isShown(card, atelier.options.look)) look = "Studio " + std::string(card.name);
   look[7 < look.size() ? 7 : 0] = char(std::tolower(look[7 < look.size() ? 7 : 0]));
   drawText(list, fonts().medium, {low.x + px(18), low.y + px(36)}, ink(0xFFFFFF, .45f),
-           fmt::format("{}  ·  cell {:.4g} mm", look, session.status().scale.spacing));
+           fmt::format("{}  ·  cell {:.4g} mm", look, atelier.status().scale.spacing));
 }
 
 // The steadied pointer on its rope.
-void rope(ImDrawList* list, const Session& session) {
-  if (!session.strokeMaker()) return;
-  const auto end = session.strokeMaker()->ropeEnd();
+void rope(ImDrawList* list, const Atelier& atelier) {
+  if (!atelier.strokeMaker()) return;
+  const auto end = atelier.strokeMaker()->ropeEnd();
   if (!end) return;
-  const ImVec2 a = corner(session.corner() + *end);
-  const ImVec2 b = corner(session.corner() + session.pointerAt());
+  const ImVec2 a = corner(atelier.corner() + *end);
+  const ImVec2 b = corner(atelier.corner() + atelier.pointerAt());
   list->AddLine(a, b, ink(tint::second, .7f), px(1.4f));
   list->AddCircleFilled(a, px(3), ink(tint::second), 16);
 }
 
 // While size or strength is dragged the number stands at the pointer.
-void dragValue(ImDrawList* list, const Session& session) {
+void dragValue(ImDrawList* list, const Atelier& atelier) {
   std::string text;
-  const SculptState& sculpt = session.sculpt;
+  const SculptState& sculpt = atelier.sculpt;
   const std::string size = fmt::format("{:.3g} mm", sculpt.size);
   const std::string strength = fmt::format("{:.0f} %", 100 * sculpt.strengthOf(sculpt.action));
-  switch (session.gesture()) {
+  switch (atelier.gesture()) {
     case Gesture::size:
       text = size;
       break;
@@ -81,7 +81,7 @@ void dragValue(ImDrawList* list, const Session& session) {
     default:
       return;
   }
-  const ImVec2 at = corner(session.corner() + session.pointerAt());
+  const ImVec2 at = corner(atelier.corner() + atelier.pointerAt());
   const float width = textWidth(fonts().semiBold, text);
   const ImVec2 low{at.x + px(18), at.y - px(30)};
   list->AddRectFilled(low, {low.x + width + px(16), low.y + px(24)}, ink(tint::bar, .9f), px(6));
@@ -97,17 +97,17 @@ bool isShown(const LookCard& card, const Look& look) {
 void drawViewportMarks(const PanelContext& context) {
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   const Rect& at = context.layout.viewport;
-  if (context.session.panelsShown) {
+  if (context.atelier.panelsShown) {
     shades(list, at);
     seams(context.layout);
   }
-  label(list, context.session, at);
-  rope(list, context.session);
-  dragValue(list, context.session);
+  label(list, context.atelier, at);
+  rope(list, context.atelier);
+  dragValue(list, context.atelier);
 }
 
 void drawAxisBall(const PanelContext& context) {
-  Session& session = context.session;
+  Atelier& atelier = context.atelier;
   const Rect& at = context.layout.viewport;
   const ImVec2 centre{float(at.high.x) - px(52), float(at.low.y) + px(54)};
   const float reach = px(27), whole = reach + px(13);
@@ -119,14 +119,14 @@ void drawAxisBall(const PanelContext& context) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddCircleFilled(centre, whole, ink(0, .18f), 48);
   constexpr unsigned colours[] = {tint::axisX, tint::axisY, tint::axisZ};
-  const Camera camera = cameraOf(session.view, 1);
+  const Camera camera = cameraOf(atelier.view, 1);
   for (const AxisEnd& end : axisEnds(camera)) {
     const ImVec2 tip{centre.x + float(end.at.x) * reach, centre.y + float(end.at.y) * reach};
     ImGui::SetCursorScreenPos({tip.x - px(9), tip.y - px(9)});
     ImGui::PushID(end.axis * 2 + int(end.positive));
     if (ImGui::InvisibleButton("end", {px(18), px(18)})) {
       const Camera seen = lookingFrom(end, camera);
-      session.lookFrom(seen.yaw, seen.pitch);
+      atelier.lookFrom(seen.yaw, seen.pitch);
     }
     const bool hovered = ImGui::IsItemHovered();
     ImGui::PopID();
@@ -150,7 +150,7 @@ void drawMessages(const PanelContext& context) {
   const Rect& at = context.layout.viewport;
   ImDrawList* list = ImGui::GetForegroundDrawList();
   float y = float(at.low.y) + px(66);
-  for (const Message& message : context.session.messages()) {
+  for (const Message& message : context.atelier.messages()) {
     const bool bad = message.kind == Message::Kind::error;
     const float most = float(at.width()) - px(120);
     const std::string text = fitted(fonts().regular, message.text, most);
@@ -164,7 +164,7 @@ void drawMessages(const PanelContext& context) {
 }
 
 void drawProgress(const PanelContext& context) {
-  const auto& job = context.session.job();
+  const auto& job = context.atelier.job();
   if (!job) return;
   const Rect& at = context.layout.viewport;
   const float width = px(340), height = px(84);

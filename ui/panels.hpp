@@ -1,12 +1,12 @@
-// The panels, one file each. They read and change the session and draw with ImGui; no OpenGL.
+// The panels, one file each. They read and change the atelier and draw with ImGui; no OpenGL.
 #pragma once
 #include <imgui.h>
 
 #include <array>
 #include <map>
 
+#include "ui/atelier.hpp"
 #include "ui/layout.hpp"
-#include "ui/session.hpp"
 #include "ui/theme.hpp"
 
 namespace bozzetto::ui {
@@ -45,7 +45,7 @@ struct FrameFigures {
 };
 
 struct PanelContext {
-  Session& session;
+  Atelier& atelier;
   const Layout& layout;
   const UiPictures& pictures;
   const FrameFigures& figures;
@@ -65,20 +65,20 @@ void drawHelp(const PanelContext& context);
 void drawPalette(const PanelContext& context);
 
 // Sections of the properties panel.
-void toolSection(Session& session);
-void shapeSection(Session& session);
-void lookSection(Session& session, const UiPictures& pictures);
-void colourSection(Session& session);
-void strokeSection(Session& session);
-void symmetrySection(Session& session);
-void lightSection(Session& session);
-void viewSection(Session& session);
-void referenceSection(Session& session);
-void claySection(Session& session);
-void historySection(Session& session);
-void performanceSection(Session& session, const FrameFigures& figures);
+void toolSection(Atelier& atelier);
+void shapeSection(Atelier& atelier);
+void lookSection(Atelier& atelier, const UiPictures& pictures);
+void colourSection(Atelier& atelier);
+void strokeSection(Atelier& atelier);
+void symmetrySection(Atelier& atelier);
+void lightSection(Atelier& atelier);
+void viewSection(Atelier& atelier);
+void referenceSection(Atelier& atelier);
+void claySection(Atelier& atelier);
+void historySection(Atelier& atelier);
+void performanceSection(Atelier& atelier, const FrameFigures& figures);
 
 /// Runs and shows a command as a menu's line.
-void menuLine(Session& session, Command command);
+void menuLine(Atelier& atelier, Command command);
 
 }  // namespace bozzetto::ui

@@ -43,7 +43,7 @@ class Screen {
 
 class Offscreen : public ::testing::Test {
  protected:
-  Offscreen() : session_(Session::Options{}), interface_(session_), canvas_(interface_, session_) {
+  Offscreen() : atelier_(Atelier::Options{}), interface_(atelier_), canvas_(interface_, atelier_) {
     resize({1280, 800});
     settle();
   }
@@ -61,8 +61,8 @@ class Offscreen : public ::testing::Test {
   void settle() {
     do {
       frame();
-      session_.worker().waitUntilSettled();
-    } while (interface_.hasEvents() || session_.hasNews() || session_.job());
+      atelier_.worker().waitUntilSettled();
+    } while (interface_.hasEvents() || atelier_.hasNews() || atelier_.job());
     for (int n = 0; n < 200 && !frame(); ++n) {
     }
   }
@@ -78,7 +78,7 @@ class Offscreen : public ::testing::Test {
   glm::dvec2 middle() const { return interface_.layout().viewport.centre(); }
 
   OffscreenContext context_;
-  Session session_;
+  Atelier atelier_;
   Interface interface_;
   Canvas canvas_;
   std::unique_ptr<Screen> screen_;
@@ -104,7 +104,7 @@ TEST_F(Offscreen, panelsHaveTheirColoursAndClayIsInTheMiddle) {
 
 TEST_F(Offscreen, nothingIsMagenta) {
   for (const Dialog dialog : {Dialog::none, Dialog::open, Dialog::help, Dialog::unsaved}) {
-    session_.dialog = dialog;
+    atelier_.dialog = dialog;
     settle();
     const Image image = picture("dialog_" + std::to_string(int(dialog)));
     int magenta = 0;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ui/session.hpp"
+#include "ui/atelier.hpp"
 
 namespace bozzetto::ui {
 namespace {
@@ -18,7 +18,7 @@ bool movesView(Gesture gesture) {
 
 }  // namespace
 
-void Session::pointer(const PointerMoved& event) {
+void Atelier::pointer(const PointerMoved& event) {
   const glm::dvec2 to = event.at - corner_;
   pressure_ = event.pressure;
   hover_.inside = to.x >= 0 && to.y >= 0 && to.x < extent_.width && to.y < extent_.height;
@@ -28,7 +28,7 @@ void Session::pointer(const PointerMoved& event) {
   if (!movesView(gesture_)) updateHover();
 }
 
-void Session::updateHover() {
+void Atelier::updateHover() {
   const Ray ray = rayThrough(view, extent_, pointer_);
   hover_.ground = groundUnder(patches_, ray, status_.scale.spacing);
   hover_.air = onFacingPlane(view, ray, airPoint_.value_or(view.target));
@@ -37,7 +37,7 @@ void Session::updateHover() {
   if (const auto box = boxOutline()) boxHandle_ = handleAt(shotOf(viewFrame()), *box, pointer_);
 }
 
-Gesture Session::gestureFor(Button button, Modifiers with) const {
+Gesture Atelier::gestureFor(Button button, Modifiers with) const {
   const bool blender = keymap.profile() == KeyProfile::blender;
   const bool onGround = hover_.ground.has_value();
   if (button == Button::middle || (blender && button == Button::left && with.alt)) {
@@ -55,7 +55,7 @@ Gesture Session::gestureFor(Button button, Modifiers with) const {
   return with.ctrl ? Gesture::zoom : Gesture::orbit;
 }
 
-void Session::press(Button button, Modifiers with) {
+void Atelier::press(Button button, Modifiers with) {
   held_ = with;
   touch();
   if (gestureByKey_) {  // F and its kin: the left button takes the value, others give it back
@@ -75,7 +75,7 @@ void Session::press(Button button, Modifiers with) {
   if (gesture_ == Gesture::stroke) beginStroke(pressure_);
 }
 
-void Session::release(Button) {
+void Atelier::release(Button) {
   touch();
   if (gestureByKey_ || gesture_ == Gesture::pickColour) return;
   if (gesture_ == Gesture::stroke) endStroke();
@@ -83,7 +83,7 @@ void Session::release(Button) {
   updateHover();
 }
 
-void Session::dragTo(glm::dvec2 to) {
+void Atelier::dragTo(glm::dvec2 to) {
   const ViewState before = view;
   switch (gesture_) {
     case Gesture::stroke:
@@ -113,7 +113,7 @@ void Session::dragTo(glm::dvec2 to) {
 }
 
 // Size and strength by dragging: right or up is more.
-void Session::dragValues(glm::dvec2 by) {
+void Atelier::dragValues(glm::dvec2 by) {
   by /= scale_;
   const auto strengthen = [&](double amount) {
     double& strength = sculpt.strengthOf(sculpt.action);
@@ -139,12 +139,12 @@ void Session::dragValues(glm::dvec2 by) {
   }
 }
 
-void Session::scaleSize(double factor) {
+void Atelier::scaleSize(double factor) {
   const double spacing = status_.scale.spacing;
   sculpt.size = std::clamp(sculpt.size * factor, kSmallestToolCells * spacing, 256 * spacing);
 }
 
-void Session::wheel(double notches, Modifiers with) {
+void Atelier::wheel(double notches, Modifiers with) {
   touch();
   if (with.ctrl) return moveToolDepth(notches);
   if (with.shift) return scaleSize(std::pow(1.1, notches));
@@ -154,13 +154,13 @@ void Session::wheel(double notches, Modifiers with) {
 }
 
 // The working point in the air, nearer or farther.
-void Session::moveToolDepth(double notches) {
+void Atelier::moveToolDepth(double notches) {
   const glm::dvec3 from = hover_.ground ? hover_.ground->position : hover_.air;
   airPoint_ = from - view.back() * (notches * sculpt.size * 0.5);
   updateHover();
 }
 
-bool Session::key(const Chord& chord, bool repeated) {
+bool Atelier::key(const Chord& chord, bool repeated) {
   touch();
   if (chord.key == KeyCode::escape) {
     cancelStroke();
@@ -186,10 +186,10 @@ bool Session::key(const Chord& chord, bool repeated) {
   return true;
 }
 
-void Session::turnLight(glm::dvec2 by) { options.look.studio.turn += float(by.x * 0.01 / scale_); }
+void Atelier::turnLight(glm::dvec2 by) { options.look.studio.turn += float(by.x * 0.01 / scale_); }
 
 // The side under the pointer follows it along its axis.
-void Session::dragBox(glm::dvec2 by) {
+void Atelier::dragBox(glm::dvec2 by) {
   const auto outline = boxOutline();
   if (!outline || !boxHandle_) return;
   const double spacing = status_.scale.spacing;
@@ -208,7 +208,7 @@ void Session::dragBox(glm::dvec2 by) {
   options.boxSize = box;
 }
 
-void Session::pickColour() {
+void Atelier::pickColour() {
   gesture_ = Gesture::none;
   const Ray ray = rayThrough(view, extent_, pointer_);
   const auto hit = patches_.pick({ray.origin / status_.scale.spacing, ray.direction});
@@ -217,7 +217,7 @@ void Session::pickColour() {
 
 // Six degrees of freedom in the picture's frame: for the scene the hand holds the clay, for the
 // tool it holds the tool.
-void Session::puck(const PuckMoved& event) {
+void Atelier::puck(const PuckMoved& event) {
   touch();
   const double speed = settings.puckSpeed * event.seconds;
   const double reach = unitsPerPixel(view, extent_, view.target) * extent_.height;
@@ -246,7 +246,7 @@ void Session::puck(const PuckMoved& event) {
   movedView(before);
 }
 
-void Session::puckButton(const PuckButton& event) {
+void Atelier::puckButton(const PuckButton& event) {
   touch();
   if (event.number == 0 && puckMoves == Moves::tool) {
     if (event.down) beginHeldStroke();

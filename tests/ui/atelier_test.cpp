@@ -1,5 +1,5 @@
 // The window without a window: events in, clay out.
-#include "ui/session.hpp"
+#include "ui/atelier.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A session behind an interface that nobody draws.
+/// An atelier behind an interface that nobody draws.
 class Null : public ::testing::Test {
  protected:
-  Null() : session_(Session::Options{}), interface_(session_) { settle(); }
+  Null() : atelier_(Atelier::Options{}), interface_(atelier_) { settle(); }
 
   void frame() {
     now_ += 1 / 60.0;
@@ -27,10 +27,10 @@ class Null : public ::testing::Test {
     do {
       frame();
     } while (interface_.hasEvents());
-    session_.worker().waitUntilSettled();
+    atelier_.worker().waitUntilSettled();
     frame();
-    while (session_.job() || session_.hasNews()) {
-      session_.worker().waitUntilSettled();
+    while (atelier_.job() || atelier_.hasNews()) {
+      atelier_.worker().waitUntilSettled();
       frame();
     }
     frame();
@@ -54,24 +54,24 @@ class Null : public ::testing::Test {
     settle();
   }
   glm::dvec2 middle() const { return interface_.layout().viewport.centre(); }
-  double mass() { return session_.status().mass; }
-  std::size_t steps() { return session_.status().done; }
+  double mass() { return atelier_.status().mass; }
+  std::size_t steps() { return atelier_.status().done; }
 
   glm::dvec2 size_{1280, 800};
-  Session session_;
+  Atelier atelier_;
   Interface interface_;
   double now_ = 0;
   std::size_t uploaded_ = 0;
 };
 
 TEST_F(Null, opensOnABallFramedInTheFreeViewport) {
-  EXPECT_FALSE(session_.patches().empty());
-  EXPECT_EQ(session_.dialog, Dialog::none);
-  EXPECT_EQ(session_.sculpt.action, ActionKind::add);
-  EXPECT_FALSE(session_.isModified());
+  EXPECT_FALSE(atelier_.patches().empty());
+  EXPECT_EQ(atelier_.dialog, Dialog::none);
+  EXPECT_EQ(atelier_.sculpt.action, ActionKind::add);
+  EXPECT_FALSE(atelier_.isModified());
   moveTo(middle());
   settle();
-  EXPECT_TRUE(session_.hover().ground.has_value());
+  EXPECT_TRUE(atelier_.hover().ground.has_value());
   const Layout& layout = interface_.layout();
   EXPECT_EQ(layout.viewport.low, glm::dvec2(60, 44));
   EXPECT_EQ(layout.viewport.high, glm::dvec2(1280 - 288, 800 - 28));
@@ -82,10 +82,10 @@ TEST_F(Null, aLeftDragOnTheClayAddsThere) {
   drag(middle(), middle() + glm::dvec2(60, 20));
   EXPECT_GT(mass(), before);
   EXPECT_EQ(steps(), 2u);  // the ball, the stroke
-  EXPECT_TRUE(session_.isModified());
-  EXPECT_EQ(session_.status().last.op, "stroke");
+  EXPECT_TRUE(atelier_.isModified());
+  EXPECT_EQ(atelier_.status().last.op, "stroke");
   // On the side that was looked at.
-  EXPECT_GT(session_.status().lastEdit.centre().z, 20);
+  EXPECT_GT(atelier_.status().lastEdit.centre().z, 20);
 }
 
 TEST_F(Null, everyPointerSampleReachesTheStroke) {
@@ -96,7 +96,7 @@ TEST_F(Null, everyPointerSampleReachesTheStroke) {
   post(ButtonChanged{Button::left, false});
   settle();
   std::size_t points = 0;
-  session_.worker().post([&](ClayDesk& desk) {
+  atelier_.worker().post([&](ClayDesk& desk) {
     const auto* last = std::get_if<StrokeOperation>(&desk.recording().operations.back());
     points = last->stroke.points.size();
   });
@@ -107,17 +107,17 @@ TEST_F(Null, everyPointerSampleReachesTheStroke) {
 TEST_F(Null, ctrlInvertsAndShiftSmooths) {
   post(KeyChanged{KeyCode::leftControl, true, false});
   settle();
-  EXPECT_EQ(session_.actionNow(), ActionKind::remove);
+  EXPECT_EQ(atelier_.actionNow(), ActionKind::remove);
   const double before = mass();
   drag(middle(), middle() + glm::dvec2(40, 0));
   EXPECT_LT(mass(), before);
   post(KeyChanged{KeyCode::leftControl, false, false});
   post(KeyChanged{KeyCode::leftShift, true, false});
   settle();
-  EXPECT_EQ(session_.actionNow(), ActionKind::smooth);
+  EXPECT_EQ(atelier_.actionNow(), ActionKind::smooth);
   post(FocusChanged{false});
   settle();
-  EXPECT_EQ(session_.actionNow(), ActionKind::add);
+  EXPECT_EQ(atelier_.actionNow(), ActionKind::add);
 }
 
 TEST_F(Null, undoAndRedoByKeys) {
@@ -156,7 +156,7 @@ TEST_F(Null, clayCanBeMadeInEmptyAir) {
 TEST_F(Null, cameraAndHoverUploadNothing) {
   settle();
   uploaded_ = 0;
-  const auto version = session_.status().version;
+  const auto version = atelier_.status().version;
   for (int n = 0; n < 30; ++n) {
     moveTo(middle() + glm::dvec2(n, 2 * n));
     frame();
@@ -165,13 +165,13 @@ TEST_F(Null, cameraAndHoverUploadNothing) {
   post(WheelTurned{{0, 2}});
   settle();
   EXPECT_EQ(uploaded_, 0u);
-  EXPECT_EQ(session_.status().version, version);
+  EXPECT_EQ(atelier_.status().version, version);
 }
 
 TEST_F(Null, aDabUploadsItsSurroundingsOnly) {
   std::size_t all = 0;
-  session_.patches().forEach([&](const ShownPatch& patch) { all += patch.uploadBytes(); });
-  session_.sculpt.size = 4;
+  atelier_.patches().forEach([&](const ShownPatch& patch) { all += patch.uploadBytes(); });
+  atelier_.sculpt.size = 4;
   uploaded_ = 0;
   drag(middle(), middle() + glm::dvec2(1, 0));
   EXPECT_GT(uploaded_, 0u);
@@ -181,51 +181,51 @@ TEST_F(Null, aDabUploadsItsSurroundingsOnly) {
 TEST_F(Null, keysOfTheToolRowAndOfSize) {
   tap(static_cast<KeyCode>('2'));
   settle();
-  EXPECT_EQ(session_.sculpt.action, ActionKind::remove);
-  const double size = session_.sculpt.size;
+  EXPECT_EQ(atelier_.sculpt.action, ActionKind::remove);
+  const double size = atelier_.sculpt.size;
   tap(KeyCode::rightBracket);
   settle();
-  EXPECT_GT(session_.sculpt.size, size);
+  EXPECT_GT(atelier_.sculpt.size, size);
   moveTo(middle());
   tap(letter('F'));
   moveTo(middle() + glm::dvec2(80, 0));
   settle();
-  EXPECT_GT(session_.sculpt.size, 1.2 * size);
+  EXPECT_GT(atelier_.sculpt.size, 1.2 * size);
   tap(KeyCode::escape);
   settle();
-  EXPECT_NEAR(session_.sculpt.size, size / 0.9, 1e-9);
+  EXPECT_NEAR(atelier_.sculpt.size, size / 0.9, 1e-9);
 }
 
 TEST_F(Null, mirroredStrokesAreSymmetric) {
   tap(letter('X'));
   settle();
-  ASSERT_TRUE(session_.sculpt.symmetry.mirror[0]);
+  ASSERT_TRUE(atelier_.sculpt.symmetry.mirror[0]);
   drag(middle() + glm::dvec2(60, 0), middle() + glm::dvec2(90, 30));
-  const CellBounds edit = session_.status().lastEdit;
+  const CellBounds edit = atelier_.status().lastEdit;
   EXPECT_NEAR(edit.low.x, -edit.high.x, 8.1);
 }
 
 TEST_F(Null, savesOpensAndAsksBeforeItForgets) {
-  const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_session.bzt";
+  const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_atelier.bzt";
   fs::remove(path);
   drag(middle(), middle() + glm::dvec2(60, 20));
-  session_.saveScene(path);
+  atelier_.saveScene(path);
   settle();
   ASSERT_TRUE(fs::exists(path));
-  EXPECT_FALSE(session_.isModified());
-  EXPECT_EQ(session_.path(), path);
+  EXPECT_FALSE(atelier_.isModified());
+  EXPECT_EQ(atelier_.path(), path);
   const double kept = mass();
   drag(middle(), middle() + glm::dvec2(-60, 20));
   post(CloseAsked{});
   settle();
-  EXPECT_EQ(session_.dialog, Dialog::unsaved);
-  EXPECT_FALSE(session_.wantsToClose());
+  EXPECT_EQ(atelier_.dialog, Dialog::unsaved);
+  EXPECT_FALSE(atelier_.wantsToClose());
   tap(KeyCode::escape);
   settle();
-  EXPECT_EQ(session_.dialog, Dialog::none);
-  session_.openScene(path);
+  EXPECT_EQ(atelier_.dialog, Dialog::none);
+  atelier_.openScene(path);
   settle();
-  session_.worker().post([](ClayDesk& desk) { desk.apply(SceneOperation{}); });
+  atelier_.worker().post([](ClayDesk& desk) { desk.apply(SceneOperation{}); });
   settle();
   EXPECT_NEAR(mass(), kept, 1e-6 * kept);
 }
@@ -234,80 +234,80 @@ TEST_F(Null, numberedCopiesLieBesideTheScene) {
   const fs::path folder = fs::path(::testing::TempDir()) / "bozzetto_numbered";
   fs::remove_all(folder);
   fs::create_directory(folder);
-  session_.run(Command::saveNumbered);
-  EXPECT_EQ(session_.dialog, Dialog::saveAs) << "no name yet";
-  session_.saveScene(folder / "a.bzt");
+  atelier_.run(Command::saveNumbered);
+  EXPECT_EQ(atelier_.dialog, Dialog::saveAs) << "no name yet";
+  atelier_.saveScene(folder / "a.bzt");
   settle();
   for (const char* name : {"a.001.bzt", "a.002.bzt"}) {
-    session_.run(Command::saveNumbered);
+    atelier_.run(Command::saveNumbered);
     settle();
     EXPECT_TRUE(fs::exists(folder / name)) << name;
   }
-  EXPECT_EQ(session_.path(), folder / "a.bzt");
+  EXPECT_EQ(atelier_.path(), folder / "a.bzt");
   fs::remove_all(folder);
 }
 
 TEST_F(Null, whatWasDoneByHandCanBeReplayed) {
-  const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_session.jsonl";
+  const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_atelier.jsonl";
   drag(middle(), middle() + glm::dvec2(60, 20));
   tap(static_cast<KeyCode>('2'));
   drag(middle(), middle() + glm::dvec2(-30, 50));
   std::uint64_t hash = 0, again = 1;
   const auto hashOf = [this](std::uint64_t& into) {
-    session_.worker().post([&](ClayDesk& desk) { into = fieldHash(desk.sculptor().field()); });
+    atelier_.worker().post([&](ClayDesk& desk) { into = fieldHash(desk.sculptor().field()); });
     settle();
   };
   hashOf(hash);
-  session_.saveRecording(path);
+  atelier_.saveRecording(path);
   settle();
-  session_.worker().post([](ClayDesk& desk) { desk.startNew(NewClay::empty); });
-  session_.replay(path);
+  atelier_.worker().post([](ClayDesk& desk) { desk.startNew(NewClay::empty); });
+  atelier_.replay(path);
   settle();
   hashOf(again);
   EXPECT_EQ(again, hash);
 }
 
 TEST_F(Null, thePuckHoldsTheToolWhileTheMouseTurnsTheScene) {
-  session_.run(Command::moveTool);
+  atelier_.run(Command::moveTool);
   moveTo(middle());
   settle();
-  const glm::dquat looked = session_.view.worldFromView;
+  const glm::dquat looked = atelier_.view.worldFromView;
   post(PuckMoved{{1, 0, 0}, {0, 0.5, 0}, 0.05});
   settle();
-  ASSERT_TRUE(session_.heldTool().has_value());
-  EXPECT_EQ(session_.view.worldFromView, looked);
-  const glm::dvec3 held = session_.heldTool()->position;
+  ASSERT_TRUE(atelier_.heldTool().has_value());
+  EXPECT_EQ(atelier_.view.worldFromView, looked);
+  const glm::dvec3 held = atelier_.heldTool()->position;
   drag(middle(), middle() + glm::dvec2(80, 0), Button::middle);
-  EXPECT_NE(session_.view.worldFromView, looked);
-  EXPECT_EQ(session_.heldTool()->position, held);
+  EXPECT_NE(atelier_.view.worldFromView, looked);
+  EXPECT_EQ(atelier_.heldTool()->position, held);
   const std::size_t before = steps();
   post(PuckButton{0, true});
   for (int n = 0; n < 5; ++n) post(PuckMoved{{0, 0.5, 0}, {0, 0, 0}, 0.05});
   post(PuckButton{0, false});
   settle();
   EXPECT_EQ(steps(), before + 1);
-  EXPECT_GT(session_.heldTool()->position.y, held.y);
+  EXPECT_GT(atelier_.heldTool()->position.y, held.y);
 }
 
 TEST_F(Null, thePuckTurnsTheScene) {
-  const ViewState before = session_.view;
+  const ViewState before = atelier_.view;
   post(PuckMoved{{0, 0, 1}, {0, 1, 0}, 0.05});
   settle();
-  EXPECT_LT(session_.view.distance, before.distance);
-  EXPECT_NE(session_.view.worldFromView, before.worldFromView);
-  session_.run(Command::undoView);
-  EXPECT_EQ(session_.view, before);
+  EXPECT_LT(atelier_.view.distance, before.distance);
+  EXPECT_NE(atelier_.view.worldFromView, before.worldFromView);
+  atelier_.run(Command::undoView);
+  EXPECT_EQ(atelier_.view, before);
 }
 
 TEST_F(Null, aPenPressesIntoTheStroke) {
-  session_.sculpt.curve = {1, 0};
+  atelier_.sculpt.curve = {1, 0};
   post(PointerMoved{middle(), 0.25});
   post(ButtonChanged{Button::left, true});
   post(PointerMoved{middle() + glm::dvec2(30, 0), 0.75});
   post(ButtonChanged{Button::left, false});
   settle();
   std::vector<StrokePoint> points;
-  session_.worker().post([&](ClayDesk& desk) {
+  atelier_.worker().post([&](ClayDesk& desk) {
     points = std::get<StrokeOperation>(desk.recording().operations.back()).stroke.points;
   });
   settle();
@@ -319,14 +319,14 @@ TEST_F(Null, aPenPressesIntoTheStroke) {
 TEST_F(Null, everyCommandCanBeRun) {
   for (const CommandRow& row : commandTable()) {
     if (row.command == Command::quit) continue;
-    if (session_.isPossible(row.command)) session_.run(row.command);
+    if (atelier_.isPossible(row.command)) atelier_.run(row.command);
     settle();
     tap(KeyCode::escape);
     settle();
-    session_.dialog = Dialog::none;
-    session_.paletteOpen = false;
-    session_.fullScreen = false;
-    session_.panelsShown = true;
+    atelier_.dialog = Dialog::none;
+    atelier_.paletteOpen = false;
+    atelier_.fullScreen = false;
+    atelier_.panelsShown = true;
   }
 }
 
@@ -334,10 +334,10 @@ TEST_F(Null, theFileDialogWorksByKeyboard) {
   const fs::path folder = fs::path(::testing::TempDir()) / "bozzetto_dialog";
   fs::create_directories(folder);
   fs::remove(folder / "by keys.bzt");
-  session_.settings.folder = folder.string();
+  atelier_.settings.folder = folder.string();
   tapCtrl(letter('S'));
   settle();
-  ASSERT_EQ(session_.dialog, Dialog::saveAs);
+  ASSERT_EQ(atelier_.dialog, Dialog::saveAs);
   settle();
   tapCtrl(letter('A'));
   for (const char c : std::string("by keys")) post(TextTyped{unsigned(c)});
@@ -345,17 +345,17 @@ TEST_F(Null, theFileDialogWorksByKeyboard) {
   tap(KeyCode::enter);
   settle();
   EXPECT_TRUE(fs::exists(folder / "by keys.bzt"));
-  EXPECT_EQ(session_.dialog, Dialog::none);
+  EXPECT_EQ(atelier_.dialog, Dialog::none);
 }
 
 TEST_F(Null, aMessageComesAndGoes) {
-  session_.openScene("/no/such/folder/thing");
+  atelier_.openScene("/no/such/folder/thing");
   settle();
-  session_.say(Message::Kind::error, "something");
-  EXPECT_FALSE(session_.messages().empty());
+  atelier_.say(Message::Kind::error, "something");
+  EXPECT_FALSE(atelier_.messages().empty());
   now_ += 20;
   frame();
-  EXPECT_TRUE(session_.messages().empty());
+  EXPECT_TRUE(atelier_.messages().empty());
 }
 
 }  // namespace

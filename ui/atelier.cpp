@@ -1,4 +1,4 @@
-#include "ui/session.hpp"
+#include "ui/atelier.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -14,7 +14,7 @@ CellBounds inWorld(const CellBounds& cells, double spacing) {
 
 }  // namespace
 
-Session::Session(const Options& given) : configFolder_(given.configFolder), worker_(given.wake) {
+Atelier::Atelier(const Options& given) : configFolder_(given.configFolder), worker_(given.wake) {
   if (!configFolder_.empty()) settings = readSettings(configFolder_);
   keymap.setProfile(settings.profile);
   keymap.setChanges(settings.keys);
@@ -30,7 +30,7 @@ Session::Session(const Options& given) : configFolder_(given.configFolder), work
   }
 }
 
-Session::~Session() {
+Atelier::~Atelier() {
   settings.profile = keymap.profile();
   settings.keys = keymap.changes();
   settings.pressureStrength = sculpt.pressureStrength;
@@ -44,13 +44,13 @@ Session::~Session() {
   }
 }
 
-void Session::setViewport(glm::dvec2 corner, const Extent& extent, double scale) {
+void Atelier::setViewport(glm::dvec2 corner, const Extent& extent, double scale) {
   corner_ = corner;
   extent_ = extent;
   scale_ = scale;
 }
 
-Publication Session::poll() {
+Publication Atelier::poll() {
   Publication fresh = worker_.take();
   if (fresh.cleared) patches_.clear();
   for (const auto& [key, patch] : fresh.fine) patches_.put(key, patch);
@@ -75,7 +75,7 @@ Publication Session::poll() {
   return fresh;
 }
 
-void Session::opened(const SceneParts& parts) {
+void Atelier::opened(const SceneParts& parts) {
   framed_ = sized_ = false;
   airPoint_.reset();
   heldTool_.reset();
@@ -90,7 +90,7 @@ void Session::opened(const SceneParts& parts) {
   }
 }
 
-void Session::frameAll() {
+void Atelier::frameAll() {
   std::vector<CellBounds> boxes;
   for (const CellBounds& box : patches_.boxes()) {
     boxes.push_back(inWorld(box, status_.scale.spacing));
@@ -104,39 +104,39 @@ void Session::frameAll() {
   airPoint_.reset();
 }
 
-void Session::lookFrom(double yaw, double pitch) {
+void Atelier::lookFrom(double yaw, double pitch) {
   const ViewState before = view;
   view.turnTo(yaw, pitch);
   movedView(before);
 }
 
-void Session::movedView(const ViewState& before) {
+void Atelier::movedView(const ViewState& before) {
   if (view == before) return;
   views_.moved(before, now_);
   touch();
   updateHover();
 }
 
-std::string Session::title() const { return path_.empty() ? "untitled" : path_.stem().string(); }
+std::string Atelier::title() const { return path_.empty() ? "untitled" : path_.stem().string(); }
 
-void Session::say(Message::Kind kind, std::string text) {
+void Atelier::say(Message::Kind kind, std::string text) {
   messages_.push_back({kind, std::move(text), now_ + kMessageSeconds});
   if (messages_.size() > 4) messages_.erase(messages_.begin());
 }
 
-std::vector<Message> Session::messages() const {
+std::vector<Message> Atelier::messages() const {
   std::vector<Message> live;
   for (const Message& message : messages_)
     if (message.until > now_) live.push_back(message);
   return live;
 }
 
-Held Session::heldMeaning() const {
+Held Atelier::heldMeaning() const {
   if (keymap.smooths(held_)) return Held::smooth;
   return keymap.inverts(held_) ? Held::invert : Held::nothing;
 }
 
-ViewFrame Session::viewFrame() const {
+ViewFrame Atelier::viewFrame() const {
   ViewFrame shown;
   shown.camera = cameraOf(view, status_.scale.spacing);
   shown.stage = status_.stage;
@@ -149,12 +149,12 @@ ViewFrame Session::viewFrame() const {
   return shown;
 }
 
-void Session::apply(const Operation& operation) {
+void Atelier::apply(const Operation& operation) {
   touch();
   worker_.post([operation](ClayDesk& desk) { desk.apply(operation); });
 }
 
-void Session::goToStep(std::size_t done) {
+void Atelier::goToStep(std::size_t done) {
   const int by = int(done) - int(status_.done);
   if (by < 0) apply(UndoOperation{-by});
   if (by > 0) apply(RedoOperation{by});

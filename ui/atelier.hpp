@@ -78,15 +78,15 @@ struct PictureWish {
   int frames = 1;  ///< above 1: a turntable, PATH-001.png …
 };
 
-class Session {
+class Atelier {
  public:
   struct Options {
     std::filesystem::path scene;         ///< empty: a new ball
     std::filesystem::path configFolder;  ///< empty: nothing is kept
     std::function<void()> wake = [] {};  ///< from any thread: there is something to show
   };
-  explicit Session(const Options& options);
-  ~Session();
+  explicit Atelier(const Options& options);
+  ~Atelier();
 
   // Every frame.
   void setTime(double seconds) { now_ = seconds; }

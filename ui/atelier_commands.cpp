@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/session.hpp"
+#include "ui/atelier.hpp"
 
 namespace bozzetto::ui {
 namespace {
@@ -109,7 +109,7 @@ Dialog dialogOf(Command command) {
 
 }  // namespace
 
-bool Session::isChecked(Command command) const {
+bool Atelier::isChecked(Command command) const {
   for (const NamedTool& tool : kTools)
     if (tool.command == command) return sculpt.action == tool.action;
   if (isMirror(command)) return sculpt.symmetry.mirror[std::size_t(index(axisOf(command)))];
@@ -132,7 +132,7 @@ bool Session::isChecked(Command command) const {
   }
 }
 
-bool Session::isPossible(Command command) const {
+bool Atelier::isPossible(Command command) const {
   switch (command) {
     case Command::undo:
       return status_.done > 0 || status_.inStroke;
@@ -147,7 +147,7 @@ bool Session::isPossible(Command command) const {
   }
 }
 
-void Session::run(Command command) {
+void Atelier::run(Command command) {
   touch();
   if (const Dialog wanted = dialogOf(command); wanted != Dialog::none) {
     const bool leaves = wanted == Dialog::open || wanted == Dialog::import;
@@ -175,7 +175,7 @@ void Session::run(Command command) {
   if (!runFile(command) && !runStroke(command)) runView(command);
 }
 
-bool Session::runFile(Command command) {
+bool Atelier::runFile(Command command) {
   switch (command) {
     case Command::newBall:
       ifSaved([this] { startNew(NewClay::ball); });
@@ -218,7 +218,7 @@ bool Session::runFile(Command command) {
   }
 }
 
-bool Session::runStroke(Command command) {
+bool Atelier::runStroke(Command command) {
   const auto dragByKey = [&](Gesture gesture) {
     before_ = sculpt;
     gesture_ = gesture;
@@ -267,7 +267,7 @@ bool Session::runStroke(Command command) {
 }
 
 // Ring alone, then with the body see-through, solid, in wires, then nothing.
-void Session::showNextTool() {
+void Atelier::showNextTool() {
   ToolDisplay& tool = options.tool;
   if (!options.ring) {
     options.ring = true;
@@ -282,7 +282,7 @@ void Session::showNextTool() {
   }
 }
 
-void Session::runView(Command command) {
+void Atelier::runView(Command command) {
   const ViewState before = view;
   switch (command) {
     case Command::undoView:
@@ -327,7 +327,7 @@ void Session::runView(Command command) {
   movedView(before);
 }
 
-void Session::turnBy(double yaw, double pitch) {
+void Atelier::turnBy(double yaw, double pitch) {
   const ViewState before = view;
   view.worldFromView =
       glm::normalize(glm::angleAxis(yaw, glm::dvec3(0, 1, 0)) * view.worldFromView *
@@ -335,7 +335,7 @@ void Session::turnBy(double yaw, double pitch) {
   movedView(before);
 }
 
-void Session::frameEdit() {
+void Atelier::frameEdit() {
   CellBounds box = status_.lastEdit;
   if (box.empty()) return frameAll();
   box.low *= status_.scale.spacing;

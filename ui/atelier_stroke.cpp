@@ -1,17 +1,17 @@
 // Strokes: from the pointer, or from a tool held in space, to the worker.
-#include "ui/session.hpp"
+#include "ui/atelier.hpp"
 
 namespace bozzetto::ui {
 
-GroundHit Session::heldGround() const { return {heldTool_->position, view.back()}; }
+GroundHit Atelier::heldGround() const { return {heldTool_->position, view.back()}; }
 
-ToolShape Session::toolAt(const GroundHit& ground) const {
+ToolShape Atelier::toolAt(const GroundHit& ground) const {
   ToolShape tool = sculpt.tool(ground.normal, view.back());
   if (heldTool_) tool.rotation = heldTool_->rotation;
   return tool;
 }
 
-void Session::beginStroke(double pressure) {
+void Atelier::beginStroke(double pressure) {
   if (heldTool_ && puckMoves == Moves::tool) return beginHeldStroke();
   const StrokeMaker::Setting setting{view, extent_, status_.scale.spacing,
                                      airPoint_.value_or(view.target)};
@@ -29,7 +29,7 @@ void Session::beginStroke(double pressure) {
   });
 }
 
-void Session::beginHeldStroke() {
+void Atelier::beginHeldStroke() {
   if (!heldTool_) heldTool_ = HeldTool{hover_.point(), sculpt.rotation};
   heldStroke_ = true;
   const ToolShape tool = toolAt(heldGround());
@@ -38,7 +38,7 @@ void Session::beginHeldStroke() {
                    ClayDesk& desk) { desk.beginStroke(tool, action, stroke); });
 }
 
-void Session::continueStroke(double pressure) {
+void Atelier::continueStroke(double pressure) {
   if (heldStroke_) {
     points_.push_back({heldTool_->position, 1});
   } else if (maker_) {
@@ -48,13 +48,13 @@ void Session::continueStroke(double pressure) {
   flushStroke();
 }
 
-void Session::flushStroke() {
+void Atelier::flushStroke() {
   if (points_.empty()) return;
   worker_.post(
       [points = std::exchange(points_, {})](ClayDesk& desk) { desk.extendStroke(points); });
 }
 
-void Session::endStroke() {
+void Atelier::endStroke() {
   flushStroke();
   // Strokes in the air go on from where this one ended.
   if (maker_) airPoint_ = maker_->last();
@@ -63,7 +63,7 @@ void Session::endStroke() {
   worker_.post([](ClayDesk& desk) { desk.endStroke(); });
 }
 
-void Session::cancelStroke() {
+void Atelier::cancelStroke() {
   if (!maker_ && !heldStroke_) return;
   maker_.reset();
   heldStroke_ = false;

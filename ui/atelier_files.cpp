@@ -1,9 +1,9 @@
-// Files: what leaves and enters the session, with questions first and progress meanwhile.
+// Files: what leaves and enters the atelier, with questions first and progress meanwhile.
 #include <fmt/format.h>
 
 #include "bozzetto/render/picture.hpp"
 #include "bozzetto/render/png.hpp"
-#include "ui/session.hpp"
+#include "ui/atelier.hpp"
 
 namespace bozzetto::ui {
 namespace {
@@ -22,18 +22,18 @@ std::string numbered(const fs::path& path, int frame) {
 
 }  // namespace
 
-void Session::whenDone(std::shared_ptr<LongJob> job, std::function<void()> then) {
+void Atelier::whenDone(std::shared_ptr<LongJob> job, std::function<void()> then) {
   job_ = std::move(job);
   afterJob_ = std::move(then);
 }
 
-void Session::ifSaved(std::function<void()> next) {
+void Atelier::ifSaved(std::function<void()> next) {
   if (!isModified()) return next();
   afterSaving_ = std::move(next);
   dialog = Dialog::unsaved;
 }
 
-void Session::answerUnsaved(bool save) {
+void Atelier::answerUnsaved(bool save) {
   dialog = Dialog::none;
   const auto next = std::exchange(afterSaving_, nullptr);
   if (!next) return;
@@ -43,16 +43,16 @@ void Session::answerUnsaved(bool save) {
   dialog = Dialog::saveAs;
 }
 
-void Session::askToClose() {
+void Atelier::askToClose() {
   ifSaved([this] { closing_ = true; });
 }
 
-void Session::startNew(NewClay kind) {
+void Atelier::startNew(NewClay kind) {
   path_.clear();
   worker_.post([kind](ClayDesk& desk) { desk.startNew(kind); });
 }
 
-void Session::openScene(const fs::path& path) {
+void Atelier::openScene(const fs::path& path) {
   dialog = Dialog::none;
   if (!fs::exists(path)) {
     // A name for a scene that is to be: start with a ball and save there.
@@ -68,7 +68,7 @@ void Session::openScene(const fs::path& path) {
            });
 }
 
-SceneParts Session::parts() const {
+SceneParts Atelier::parts() const {
   SceneParts parts;
   parts.view.camera = sceneCameraOf(view);
   parts.view.workspace = options.boxSize;
@@ -76,7 +76,7 @@ SceneParts Session::parts() const {
   return parts;
 }
 
-void Session::saveScene(const fs::path& wanted, std::function<void()> then) {
+void Atelier::saveScene(const fs::path& wanted, std::function<void()> then) {
   fs::path path = wanted;
   if (path.extension().empty()) path += ".bzt";
   dialog = Dialog::none;
@@ -95,7 +95,7 @@ void Session::saveScene(const fs::path& wanted, std::function<void()> then) {
            });
 }
 
-void Session::saveNumbered() {
+void Atelier::saveNumbered() {
   whenDone(worker_.start("Saving a copy",
                          [path = path_, parts = parts()](ClayDesk& desk, Progress& progress) {
                            desk.saveNumbered(path, parts, progress);
@@ -103,7 +103,7 @@ void Session::saveNumbered() {
            {});
 }
 
-void Session::importMesh(const fs::path& path, int cells) {
+void Atelier::importMesh(const fs::path& path, int cells) {
   dialog = Dialog::none;
   ImportOptions how;
   how.cells = cells;
@@ -115,7 +115,7 @@ void Session::importMesh(const fs::path& path, int cells) {
            [this] { path_.clear(); });
 }
 
-void Session::exportMesh(const fs::path& path, double keep) {
+void Atelier::exportMesh(const fs::path& path, double keep) {
   dialog = Dialog::none;
   whenDone(worker_.start("Exporting " + path.filename().string(),
                          [path, keep](ClayDesk& desk, Progress& progress) {
@@ -124,7 +124,7 @@ void Session::exportMesh(const fs::path& path, double keep) {
            [this, path] { say(Message::Kind::note, "Exported " + path.filename().string()); });
 }
 
-void Session::saveRecording(const fs::path& path) {
+void Atelier::saveRecording(const fs::path& path) {
   dialog = Dialog::none;
   worker_.post([path](ClayDesk& desk) {
     desk.saveRecording(path);
@@ -132,7 +132,7 @@ void Session::saveRecording(const fs::path& path) {
   });
 }
 
-void Session::replay(const fs::path& path) {
+void Atelier::replay(const fs::path& path) {
   dialog = Dialog::none;
   whenDone(
       worker_.start("Replaying " + path.filename().string(),
@@ -140,7 +140,7 @@ void Session::replay(const fs::path& path) {
       {});
 }
 
-void Session::resample(double spacing) {
+void Atelier::resample(double spacing) {
   whenDone(worker_.start("Resampling",
                          [spacing](ClayDesk& desk, Progress& progress) {
                            desk.apply(ResampleOperation{spacing}, progress);
@@ -148,14 +148,14 @@ void Session::resample(double spacing) {
            {});
 }
 
-void Session::showStructure(Structure structure) {
+void Atelier::showStructure(Structure structure) {
   options.structure = structure;
   options.look.cellLines = structure != Structure::surface;
   worker_.post([structure](ClayDesk& desk) { desk.setStructure(structure); });
 }
 
 // The view as it is, without panels. Drawn by a context of the worker's own.
-void Session::takePicture(const PictureWish& wish) {
+void Atelier::takePicture(const PictureWish& wish) {
   dialog = Dialog::none;
   PictureOptions how;
   how.width = wish.width;
@@ -183,7 +183,7 @@ void Session::takePicture(const PictureWish& wish) {
 }
 
 // Facing the viewer behind the target, half as high as the view.
-void Session::addReference(const fs::path& path) {
+void Atelier::addReference(const fs::path& path) {
   dialog = Dialog::none;
   try {
     ReferencePicture picture;
@@ -200,7 +200,7 @@ void Session::addReference(const fs::path& path) {
   }
 }
 
-void Session::loadMatcap(const fs::path& path) {
+void Atelier::loadMatcap(const fs::path& path) {
   dialog = Dialog::none;
   try {
     options.look.matcapImage = std::make_shared<const Image>(readPng(path));
@@ -211,7 +211,7 @@ void Session::loadMatcap(const fs::path& path) {
 }
 
 // By what the first file is.
-void Session::drop(const std::vector<std::string>& paths) {
+void Atelier::drop(const std::vector<std::string>& paths) {
   if (paths.empty()) return;
   const fs::path path = paths.front();
   const std::string kind = lower(path.extension().string());

@@ -4,7 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "bozzetto/tool/symmetry.hpp"
-#include "ui/session.hpp"
+#include "ui/atelier.hpp"
 
 namespace bozzetto::ui {
 namespace {
@@ -48,7 +48,7 @@ glm::dmat4 placed(const glm::dvec3& at, const glm::dmat3& turn, const glm::dvec3
 
 }  // namespace
 
-Overlays Session::overlays() const {
+Overlays Atelier::overlays() const {
   Overlays overlays;
   addStage(overlays);
   const bool busy = gesture_ == Gesture::orbit || gesture_ == Gesture::pan ||
@@ -62,7 +62,7 @@ Overlays Session::overlays() const {
 }
 
 // The cursor and, thinner, its images.
-void Session::addRings(Overlays& overlays) const {
+void Atelier::addRings(Overlays& overlays) const {
   const double spacing = status_.scale.spacing;
   const bool held = heldTool_ && puckMoves == Moves::tool;
   const bool onClay = hover_.ground.has_value() && !held;
@@ -83,7 +83,7 @@ void Session::addRings(Overlays& overlays) const {
   }
 }
 
-void Session::addTool(Overlays& overlays) const {
+void Atelier::addTool(Overlays& overlays) const {
   if (options.tool == ToolDisplay::hidden) return;
   const double spacing = status_.scale.spacing;
   const bool held = heldTool_ && puckMoves == Moves::tool;
@@ -117,7 +117,7 @@ void Session::addTool(Overlays& overlays) const {
   overlays.plane = plane;
 }
 
-void Session::addStage(Overlays& overlays) const {
+void Atelier::addStage(Overlays& overlays) const {
   if (options.grid) {
     FloorGrid grid;
     grid.centre = {status_.stage.centre.x, status_.stage.floor, status_.stage.centre.z};
@@ -129,7 +129,7 @@ void Session::addStage(Overlays& overlays) const {
 }
 
 // The workspace box in cells, with handles where the pointer can take them.
-std::optional<BoxOutline> Session::boxOutline() const {
+std::optional<BoxOutline> Atelier::boxOutline() const {
   const double spacing = status_.scale.spacing;
   const CellBounds& all = patches_.bounds();
   if (!options.box || (!options.boxSize && all.empty())) return std::nullopt;
