@@ -39,17 +39,6 @@ void orbitTrackball(ViewState& view, const Extent& extent, glm::dvec2 from, glm:
   view.worldFromView = glm::normalize(view.worldFromView * turn);
 }
 
-// How far the corners of all boxes reach in direction `d`.
-double support(std::span<const CellBounds> boxes, const glm::dvec3& d) {
-  double most = -HUGE_VAL;
-  for (const CellBounds& box : boxes) {
-    const glm::dvec3 corner(d.x > 0 ? box.high.x : box.low.x, d.y > 0 ? box.high.y : box.low.y,
-                            d.z > 0 ? box.high.z : box.low.z);
-    most = std::max(most, glm::dot(d, corner));
-  }
-  return most;
-}
-
 }  // namespace
 
 void ViewState::turnTo(double yaw, double pitch) {

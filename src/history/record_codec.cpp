@@ -3,7 +3,7 @@
 #include <bit>
 #include <optional>
 
-#include "history/word_planes.hpp"
+#include "bozzetto/base/word_planes.hpp"
 
 namespace bozzetto::undo {
 namespace {

@@ -46,7 +46,8 @@ Direction directionOf(Viewpoint viewpoint) {
   return {0.42, 0.10};
 }
 
-// How far the boxes reach in the direction `d`: max of dot(d, corner).
+}  // namespace
+
 double support(std::span<const CellBounds> boxes, const glm::dvec3& d) {
   double most = -HUGE_VAL;
   for (const CellBounds& box : boxes) {
@@ -56,6 +57,8 @@ double support(std::span<const CellBounds> boxes, const glm::dvec3& d) {
   }
   return most;
 }
+
+namespace {
 
 // The boxes between two slanted planes: distance at which they just fit, and the middle.
 struct Fit {

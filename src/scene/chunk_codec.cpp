@@ -8,6 +8,8 @@
 #include <cstring>
 #include <memory>
 
+#include "bozzetto/base/word_planes.hpp"
+
 namespace bozzetto {
 namespace {
 
@@ -29,33 +31,19 @@ constexpr std::size_t kMostRaw =
 
 bool goodValue(float value) { return value > 0 && value < kValueLimit; }  // and no NaN
 
-void putPlanes(ByteWriter& out, const std::vector<std::uint32_t>& words) {
+void putCounted(ByteWriter& out, const std::vector<std::uint32_t>& words) {
   out.put(static_cast<std::uint32_t>(words.size()));
-  Bytes plane(words.size());
-  for (const int shift : {0, 8, 16, 24}) {
-    for (std::size_t n = 0; n < words.size(); ++n) {
-      plane[n] = static_cast<std::byte>(words[n] >> shift);
-    }
-    out.put(std::span<const std::byte>(plane));
-  }
+  putPlanes(out, words);
 }
 
-std::vector<std::uint32_t> getPlanes(ByteReader& in, std::size_t expected,
-                                     const std::string& name) {
+std::vector<std::uint32_t> getCounted(ByteReader& in, std::size_t expected,
+                                      const std::string& name) {
   const auto count = in.get<std::uint32_t>();
   if (count != expected) {
     throw Error(name + ": " + std::to_string(count) + " words in planes, " +
                 std::to_string(expected) + " expected");
   }
-  const auto planes = in.take(4 * std::size_t{count});  // all are there before any is written
-  std::vector<std::uint32_t> words(count);
-  for (std::size_t byte = 0; byte < 4; ++byte) {
-    const auto plane = planes.subspan(byte * count, count);
-    for (std::size_t n = 0; n < count; ++n) {
-      words[n] |= std::to_integer<std::uint32_t>(plane[n]) << (8 * byte);
-    }
-  }
-  return words;
+  return getPlanes(in, count);
 }
 
 // The streams of all own blocks of a chunk.
@@ -138,8 +126,8 @@ Bytes rawChunk(const Chunk& chunk) {
   }
   out.put(std::span<const std::byte>(streams.modes));
   out.put(std::span<const std::byte>(streams.codes));
-  putPlanes(out, streams.values);
-  putPlanes(out, streams.attributes);
+  putCounted(out, streams.values);
+  putCounted(out, streams.attributes);
   return out.take();
 }
 
@@ -278,8 +266,8 @@ void getOwnBlocks(ByteReader& in, Chunk& chunk, const std::string& name) {
   const auto codes = in.take(own * kCodeBytes);
   const StreamSizes sizes = sizesOf(codes, modes, name);
   BlockStreams streams;
-  streams.values = getPlanes(in, sizes.values, name);
-  streams.attributes = getPlanes(in, sizes.attributes, name);
+  streams.values = getCounted(in, sizes.values, name);
+  streams.attributes = getCounted(in, sizes.attributes, name);
   for (const std::uint32_t bits : streams.values) {
     const auto value = std::bit_cast<float>(bits);
     if (!goodValue(value) || value == 1) throw Error(name + ": density outside 0 … 2048, or 1");

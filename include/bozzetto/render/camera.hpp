@@ -61,6 +61,9 @@ struct Framing {
   std::optional<double> yaw = {}, pitch = {};  ///< instead of the viewpoint's, radians
 };
 
+/// How far the corners of all boxes reach in the direction `d`: max of dot(d, corner). O(boxes).
+double support(std::span<const CellBounds> boxes, const glm::dvec3& d);
+
 /// A camera that shows all boxes as large as `fill` allows. O(boxes).
 Camera framed(std::span<const CellBounds> boxes, const Framing& framing);
 

@@ -7,7 +7,7 @@
 
 #include "bozzetto/base/bytes.hpp"
 
-namespace bozzetto::undo {
+namespace bozzetto {
 
 /// The lowest byte of each, the next, …, the highest.
 void putPlanes(ByteWriter& out, const std::vector<std::uint32_t>& words);
@@ -15,4 +15,4 @@ void putPlanes(ByteWriter& out, const std::vector<std::uint32_t>& words);
 /// `count` words; all are known to be there before any is made.
 std::vector<std::uint32_t> getPlanes(ByteReader& in, std::size_t count);
 
-}  // namespace bozzetto::undo
+}  // namespace bozzetto

@@ -1,6 +1,6 @@
-#include "history/word_planes.hpp"
+#include "bozzetto/base/word_planes.hpp"
 
-namespace bozzetto::undo {
+namespace bozzetto {
 
 void putPlanes(ByteWriter& out, const std::vector<std::uint32_t>& words) {
   Bytes plane(words.size());
@@ -24,4 +24,4 @@ std::vector<std::uint32_t> getPlanes(ByteReader& in, std::size_t count) {
   return words;
 }
 
-}  // namespace bozzetto::undo
+}  // namespace bozzetto
