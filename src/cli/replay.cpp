@@ -24,6 +24,7 @@ struct Arguments {
   bool create = false;
   int threads = 0;
   double spacing = 0;
+  HistoryLimits history;
 };
 
 Json jsonOf(const OperationReport& report) {
@@ -76,6 +77,7 @@ std::vector<OperationReport> replayInPlace(const Arguments& arguments, const Rec
                                            ProgressBar& progress) {
   SessionOptions options;
   options.upkeep = upkeepFor(arguments);
+  options.limits = arguments.history;
   Session session = arguments.create ? Session::create(arguments.on, options)
                                      : Session::open(arguments.on, options, progress);
   for (const std::string& notice : session.findings().notices) progress.note(notice);
@@ -117,6 +119,16 @@ void addReplay(CLI::App& app) {
                                  "Instead: the scene to work on in place, with its history");
   on->excludes(from)->excludes(out);
   command->add_flag("--new", arguments->create, "The scene of --on is not there yet")->needs(on);
+  command
+      ->add_option("--undo-files", arguments->history.steps,
+                   "With --on: so many are kept, the oldest go; 0 for any number")
+      ->needs(on)
+      ->capture_default_str();
+  command
+      ->add_option("--undo-bytes", arguments->history.diskBytes,
+                   "With --on: so many bytes of undo-files are kept; 0 for any number")
+      ->needs(on)
+      ->capture_default_str();
   command->add_option("--threads", arguments->threads, "As many as the machine has without")
       ->check(CLI::Range(0, 1024));
   command
