@@ -67,6 +67,7 @@ std::vector<OperationReport> replayToFile(const Arguments& arguments, const Reco
   ReplayResult result = replay(recording, document.field, options, progress);
   document.field = std::move(result.field);
   document.parts.solid = encodeSolid(result.solid);
+  document.parts.shelf = std::move(result.shelf);
   document.parts.thumbnail = thumbnailOf(document.field);
   saveScene(arguments.out, document, progress);
   return std::move(result.reports);

@@ -84,18 +84,40 @@ RelaxOperation readRelax(JsonObject& object) {
 
 Json writeRelax(const RelaxOperation& relax) { return {{"steps", relax.steps}}; }
 
-SupportOperation readSupport(JsonObject& object) {
-  return {{readShape(object), readVector(object, "center", {0, 0, 0}),
-           readVector(object, "radii", {8, 8, 8}), readRotation(object)}};
+clay::Support readObject(JsonObject& object) {
+  return {readShape(object), readVector(object, "center", {0, 0, 0}),
+          readVector(object, "radii", {8, 8, 8}), readRotation(object)};
 }
 
-Json writeSupport(const SupportOperation& operation) {
-  const clay::Support& support = operation.support;
+Json jsonOf(const clay::Support& support) {
   return {{"shape", toText(support.shape)},
           {"center", listOf(support.centre)},
           {"radii", listOf(support.radii)},
           {"rotation", listOf(support.rotation)}};
 }
+
+SupportOperation readSupport(JsonObject& object) { return {readObject(object)}; }
+Json writeSupport(const SupportOperation& operation) { return jsonOf(operation.support); }
+
+int readNumber(JsonObject& object) {
+  object.required("number");
+  const int number = object.integer("number", 0);
+  if (number < 0) object.fail("number", "a number of a support, from 0");
+  return number;
+}
+
+SupportMoveOperation readSupportMove(JsonObject& object) {
+  return {readNumber(object), readObject(object)};
+}
+
+Json writeSupportMove(const SupportMoveOperation& operation) {
+  Json json = jsonOf(operation.support);
+  json["number"] = operation.number;
+  return json;
+}
+
+SupportDropOperation readSupportDrop(JsonObject& object) { return {readNumber(object)}; }
+Json writeSupportDrop(const SupportDropOperation& drop) { return {{"number", drop.number}}; }
 
 HoldOperation readHold(JsonObject& object) {
   HoldOperation hold;
@@ -127,9 +149,13 @@ Json writeRelease(const ReleaseOperation& release) {
 
 std::span<const OperationFormat> clayFormats() {
   static constexpr OperationFormat kFormats[] = {
-      formatOf<readClay, writeClay>("clay"), formatOf<readRelax, writeRelax>("relax"),
-      formatOf<readSupport, writeSupport>("support"), formatOf<readHold, writeHold>("hold"),
-      formatOf<readRelease, writeRelease>("release")};
+      formatOf<readClay, writeClay>("clay"),
+      formatOf<readRelax, writeRelax>("relax"),
+      formatOf<readSupport, writeSupport>("support"),
+      formatOf<readHold, writeHold>("hold"),
+      formatOf<readRelease, writeRelease>("release"),
+      formatOf<readSupportMove, writeSupportMove>("support_move"),
+      formatOf<readSupportDrop, writeSupportDrop>("support_drop")};
   return kFormats;
 }
 

@@ -42,6 +42,7 @@ std::span<const OperationFormat> volumeFormats();
 std::span<const OperationFormat> solidFormats();
 std::span<const OperationFormat> clayFormats();
 std::span<const OperationFormat> solidToolFormats();
+std::span<const OperationFormat> shelfFormats();
 
 // Values that many operations have.
 glm::dvec3 readVector(JsonObject& object, const char* key, std::array<double, 3> fallback);

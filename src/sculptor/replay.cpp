@@ -79,7 +79,7 @@ ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOpt
   sculptor.tools().shelf = options.shelf;
   sculptor.tools().depth = options.depth;
   auto reports = replay(recording, sculptor, progress);
-  return {sculptor.field(), sculptor.solid(), std::move(reports)};
+  return {sculptor.field(), sculptor.solid(), sculptor.tools().shelf, std::move(reports)};
 }
 
 OperationReport totalOf(const std::vector<OperationReport>& reports) {

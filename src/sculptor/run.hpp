@@ -93,6 +93,16 @@ template <int Side>
 void run(const CutOperation& operation, Workbench<Side>& bench, const Telling& telling);
 template <int Side>
 void run(const TextOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const ShelfKeepOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const ShelfRenameOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const ShelfDropOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SupportMoveOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
+void run(const SupportDropOperation& operation, Workbench<Side>& bench, const Telling& telling);
 
 /// At the end of a family's file.
 #define BOZZETTO_RUNS(Kind)                                      \

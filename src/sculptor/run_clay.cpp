@@ -1,4 +1,4 @@
-// clay, relax, support, hold, release.
+// clay, relax, support and its like, hold, release.
 #include <cmath>
 
 #include "bozzetto/clay/hold.hpp"
@@ -29,6 +29,29 @@ void run(const SupportOperation& operation, Workbench<Side>& bench, const Tellin
   clay::requireValid(operation.support);
   cellOf(operation.support.centre, bench.field().scale.spacing, "support centre");
   bench.clay.supports.push_back(operation.support);
+}
+
+template <int Side>
+clay::Support& supportOf(Workbench<Side>& bench, int number, const char* op) {
+  auto& supports = bench.clay.supports;
+  if (number >= 0 && std::size_t(number) < supports.size()) return supports[std::size_t(number)];
+  throw Error(std::string(op) + ": found number " + std::to_string(number) + ", expected 0 to " +
+              std::to_string(supports.size()) + " without the end");
+}
+
+template <int Side>
+void run(const SupportMoveOperation& operation, Workbench<Side>& bench, const Telling&) {
+  clay::Support& support = supportOf(bench, operation.number, "support_move");
+  clay::requireValid(operation.support);
+  cellOf(operation.support.centre, bench.field().scale.spacing, "support centre");
+  support = operation.support;
+}
+
+template <int Side>
+void run(const SupportDropOperation& operation, Workbench<Side>& bench, const Telling&) {
+  const clay::Support* gone = &supportOf(bench, operation.number, "support_drop");
+  auto& supports = bench.clay.supports;
+  supports.erase(supports.begin() + (gone - supports.data()));
 }
 
 // The corners of a box in world units, both ends.
@@ -70,6 +93,8 @@ void run(const ReleaseOperation& operation, Workbench<Side>& bench, const Tellin
 BOZZETTO_RUNS(ClayOperation);
 BOZZETTO_RUNS(RelaxOperation);
 BOZZETTO_RUNS(SupportOperation);
+BOZZETTO_RUNS(SupportMoveOperation);
+BOZZETTO_RUNS(SupportDropOperation);
 BOZZETTO_RUNS(HoldOperation);
 BOZZETTO_RUNS(ReleaseOperation);
 

@@ -78,7 +78,9 @@ Session::Session(fs::path path, Opened opened, const SessionOptions& options)
       file_(std::move(opened.file)),
       savedParts_(parts),
       sculptor_(std::move(opened.history.field), std::move(opened.history.history),
-                options.upkeep) {}
+                options.upkeep) {
+  sculptor_.tools().shelf = parts.shelf;
+}
 
 Session Session::begin(const fs::path& scene, HistoryAccess access, const SessionOptions& options,
                        Progress& progress) {
@@ -164,6 +166,7 @@ std::vector<fs::path> Session::leftBehind(FileSystem& files) {
 
 Document Session::document() const {
   Document document{sculptor_.field(), parts};
+  document.parts.shelf = sculptor_.tools().shelf;
   document.parts.settings[kPlaceSetting] = sculptor_.history().savePlace().text();
   return document;
 }
@@ -175,7 +178,9 @@ bool Session::untouched() const {
 }
 
 bool Session::saved() const {
-  return parts == savedParts_ && (sculptor_.history().atSaved() || untouched());
+  SceneParts now = parts;
+  now.shelf = sculptor_.tools().shelf;
+  return now == savedParts_ && (sculptor_.history().atSaved() || untouched());
 }
 
 void Session::markSaved(const Document& document) {

@@ -170,6 +170,24 @@ TEST_F(Sessions, picturesGoWithTheirSteps) {
   EXPECT_EQ(session.sculptor().history().thumbnail(1), Bytes(10, std::byte{1}));
 }
 
+TEST_F(Sessions, theShelfIsTheSculptors) {
+  {
+    Session session = Session::create(scene_);
+    session.sculptor().apply(fillAt(0));
+    session.save();
+    session.sculptor().apply(ShelfKeepOperation{"ball"});
+    EXPECT_FALSE(session.saved());
+    session.save();
+    EXPECT_TRUE(session.saved());
+  }
+  Session session = Session::open(scene_);
+  EXPECT_TRUE(session.saved());
+  ToolOperation take;
+  take.shape.shape = Shape::freeform;
+  take.source.emplace().from = "shelf:ball";
+  EXPECT_NO_THROW(session.sculptor().apply(take));
+}
+
 TEST_F(Sessions, jumpsGoToAnyBranch) {
   Session session = Session::create(scene_);
   Sculptor& sculptor = session.sculptor();

@@ -248,5 +248,73 @@ TEST_F(Tools, recordingsSayEverything) {
   EXPECT_THROW(parseOperation("{\"op\":\"action\",\"name\":\"add\",\"bulge\":{}}", ""), Error);
 }
 
+TEST_F(Tools, theShelfIsFilledAndEmptiedByOperations) {
+  const std::string keep = std::string(kBody) +
+                           "{\"op\":\"shelf_keep\",\"name\":\"arm\",\"tags\":[\"limb\"],"
+                           "\"region\":{\"min\":[4,-20,-20],\"max\":[20,20,20]},\"pivot\":[0,0,0],"
+                           "\"preset\":[{\"op\":\"action\",\"name\":\"add\",\"strength\":1}]}\n";
+  const auto shelfAfter = [&](const std::string& lines) {
+    return replay(recordingOf(keep + lines), {}).shelf;
+  };
+  const auto shelf = shelfAfter("");
+  ASSERT_EQ(shelf.size(), 1u);
+  const ShelfTool tool = fromItem(shelf[0]);
+  EXPECT_EQ(tool.name, "arm");
+  EXPECT_EQ(tool.tags, std::vector<std::string>{"limb"});
+  EXPECT_EQ(tool.preset.size(), 1u);
+  const auto renamed = shelfAfter(
+      "{\"op\":\"shelf_rename\",\"name\":\"arm\",\"to\":\"leg\",\"tags\":[\"low\"]}\n"
+      "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"shelf:leg\"}\n");
+  EXPECT_EQ(renamed[0].name, "leg");
+  EXPECT_EQ(fieldHash(fromItem(renamed[0]).clay), fieldHash(tool.clay));
+  EXPECT_EQ(fromItem(renamed[0]).tags, std::vector<std::string>{"low"});
+  EXPECT_TRUE(shelfAfter("{\"op\":\"shelf_drop\",\"name\":\"arm\"}").empty());
+  EXPECT_THROW(shelfAfter("{\"op\":\"shelf_drop\",\"name\":\"nose\"}"), Error);
+  EXPECT_THROW(shelfAfter(keep + "{\"op\":\"shelf_rename\",\"name\":\"arm\",\"to\":\"\"}"), Error);
+}
+
+TEST_F(Tools, aNameThatIsKeptAgainMeansTheNewTool) {
+  const Clay made =
+      replayed(std::string(kBody) +
+               "{\"op\":\"shelf_keep\",\"name\":\"it\"}\n"
+               "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"shelf:it\"}\n"
+               "{\"op\":\"undo\",\"count\":2}\n{\"op\":\"fill\",\"radii\":[5,5,5]}\n"
+               "{\"op\":\"shelf_keep\",\"name\":\"it\"}\n{\"op\":\"undo\",\"count\":1}\n"
+               "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"shelf:it\",\"pivot\":[0,0,0]}\n"
+               "{\"op\":\"action\",\"name\":\"add\",\"strength\":1,\"own_colours\":true}\n"
+               "{\"op\":\"stroke\",\"points\":[[0,0,0]]}");
+  EXPECT_EQ(fieldHash(made), fieldHash(replayed("{\"op\":\"fill\",\"radii\":[5,5,5]}")));
+}
+
+TEST_F(Tools, shelfOperationsComeBackFromTheirText) {
+  for (const char* line :
+       {"{\"op\":\"shelf_keep\",\"name\":\"a\",\"from\":\"shelf:leaf\",\"tags\":[\"x\"],"
+        "\"preset\":[{\"op\":\"action\",\"name\":\"stamp\"}]}",
+        "{\"op\":\"shelf_rename\",\"name\":\"a\",\"to\":\"b\"}",
+        "{\"op\":\"shelf_drop\",\"name\":\"b\"}",
+        "{\"op\":\"support_move\",\"number\":2,\"shape\":\"box\",\"center\":[1,2,3]}",
+        "{\"op\":\"support_drop\",\"number\":0}"}) {
+    const std::string text = toText(parseOperation(line, "test"));
+    EXPECT_EQ(toText(parseOperation(text, "test")), text) << line;
+  }
+}
+
+TEST_F(Tools, supportsAreMovedAndTakenByNumber) {
+  Sculptor sculptor;
+  SupportOperation table;
+  sculptor.apply(table);
+  table.support.centre = {0, 20, 0};
+  sculptor.apply(table);
+  table.support.centre = {5, 0, 0};
+  sculptor.apply(SupportMoveOperation{0, table.support});
+  ASSERT_EQ(sculptor.clay().supports.size(), 2u);
+  EXPECT_EQ(sculptor.clay().supports[0].centre.x, 5);
+  sculptor.apply(SupportDropOperation{0});
+  ASSERT_EQ(sculptor.clay().supports.size(), 1u);
+  EXPECT_EQ(sculptor.clay().supports[0].centre.y, 20);
+  EXPECT_THROW(sculptor.apply(SupportDropOperation{1}), Error);
+  EXPECT_THROW(sculptor.apply(SupportMoveOperation{-1, table.support}), Error);
+}
+
 }  // namespace
 }  // namespace bozzetto

@@ -19,6 +19,17 @@ struct SupportOperation {
   clay::Support support;
 };
 
+/// Puts the n-th support (from 0) elsewhere, as another one if need be.
+struct SupportMoveOperation {
+  int number = 0;
+  clay::Support support;
+};
+
+/// Takes the n-th support (from 0) away.
+struct SupportDropOperation {
+  int number = 0;
+};
+
 /// Holds the clay in a box: 0 free … 1 fixed. World units, both ends belong to it.
 struct HoldOperation {
   glm::dvec3 low{0}, high{0};

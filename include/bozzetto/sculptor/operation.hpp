@@ -65,18 +65,17 @@ struct ResampleOperation {
   double spacing = 1;
 };
 
-using Operation = std::variant<SceneOperation, FillOperation, ToolOperation, ActionOperation,
-                               StrokeOperation, UndoOperation, RedoOperation, GoToOperation,
-                               ResampleOperation, SolidOperation, SolidMoveOperation, BakeOperation,
-                               WrapOperation, WrapApplyOperation, SolidDropOperation, ClayOperation,
-                               RelaxOperation, SupportOperation, HoldOperation, ReleaseOperation,
-                               SolidFromClayOperation, SolidCarveOperation, SolidExtrudeOperation,
-                               SolidJoinOperation, SolidSubdivideOperation, SolidSharpOperation,
-                               SolidPullOperation, SolidRunOperation, SolidSplineOperation,
-                               SolidPaintOperation, SolidInflateOperation, SolidTrimOperation,
-                               SolidWindowOperation, SolidRestOperation, SolidSettingsOperation,
-                               SolidProbeOperation,
-                               CombineOperation, CutOperation, TextOperation>;
+using Operation = std::variant<
+    SceneOperation, FillOperation, ToolOperation, ActionOperation, StrokeOperation, UndoOperation,
+    RedoOperation, GoToOperation, ResampleOperation, SolidOperation, SolidMoveOperation,
+    BakeOperation, WrapOperation, WrapApplyOperation, SolidDropOperation, ClayOperation,
+    RelaxOperation, SupportOperation, HoldOperation, ReleaseOperation, SolidFromClayOperation,
+    SolidCarveOperation, SolidExtrudeOperation, SolidJoinOperation, SolidSubdivideOperation,
+    SolidSharpOperation, SolidPullOperation, SolidRunOperation, SolidSplineOperation,
+    SolidPaintOperation, SolidInflateOperation, SolidTrimOperation, SolidWindowOperation,
+    SolidRestOperation, SolidSettingsOperation, SolidProbeOperation, CombineOperation, CutOperation,
+    TextOperation, ShelfKeepOperation, ShelfRenameOperation, ShelfDropOperation,
+    SupportMoveOperation, SupportDropOperation>;
 
 /// The "op" of an operation: "scene", "fill", …
 std::string_view nameOf(const Operation& operation);

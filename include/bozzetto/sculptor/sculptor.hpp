@@ -44,6 +44,9 @@ class BasicSculptor {
   ToolShape tool() const { return bench_.hand.tool(field().scale.spacing); }
   /// Where names of tools lead: set its folder and the document's shelf.
   ToolLibrary& tools() { return bench_.tools; }
+  const ToolLibrary& tools() const { return bench_.tools; }
+  /// What strokes that move clay meet.
+  const clay::Setup& clay() const { return bench_.clay; }
   const ActionOptions& action() const { return bench_.hand.action; }
   /// The surface as of the last dab or operation. Needs upkeep.
   const Surface<Side>& surface() const { return bench_.surface(); }

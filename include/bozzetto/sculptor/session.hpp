@@ -56,7 +56,9 @@ class Session {
 
   Sculptor& sculptor() { return sculptor_; }
   const Sculptor& sculptor() const { return sculptor_; }
-  SceneParts parts;  ///< all but the clay; whoever has them changes them
+  /// All but the clay; whoever has them changes them. But for the shelf, which is the sculptor's:
+  /// here it stays as it was opened.
+  SceneParts parts;
 
   /// Everything to save, as it is now. Costs pointers.
   Document document() const;

@@ -27,6 +27,9 @@ class ToolLibrary {
   /// What a source means, whole, with what is written down about it; not kept.
   ShelfTool load(const ToolSource& source, Progress& progress = Progress::none()) const;
 
+  /// Reads every source again: names mean other tools than before.
+  void forget() { kept_.clear(); }
+
   /// Recordings that make tools from recordings that make tools …
   int depth = 0;
 

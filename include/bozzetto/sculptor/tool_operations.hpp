@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bozzetto/tool/combine.hpp"
 
@@ -35,6 +36,25 @@ struct CombineOperation {
 /// Takes a part of the clay away and into the hand, as a freeform tool that adds it again.
 struct CutOperation {
   WorldBox region;
+};
+
+/// Puts a tool on the document's shelf, in the place of one of that name. No step of history.
+struct ShelfKeepOperation {
+  std::string name;
+  std::vector<std::string> tags{};
+  ToolSource source{};
+  std::vector<std::string> preset{};  ///< operations that put it to use, a line of JSON each
+};
+
+/// Another name for a tool on the document's shelf.
+struct ShelfRenameOperation {
+  std::string name, to;
+  std::optional<std::vector<std::string>> tags{};  ///< as they were without
+};
+
+/// Takes a tool from the document's shelf.
+struct ShelfDropOperation {
+  std::string name;
 };
 
 /// Letters as a relief on a plane through `at`.
