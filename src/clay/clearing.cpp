@@ -17,12 +17,14 @@ bool holdsTooMuch(const Region& region, std::size_t cell) {
 
 }  // namespace
 
-void Clearing::findExcess(const Region& region) {
+void Clearing::findExcess(Region& region) {
   now_.clear();
-  for (const Row& row : region.rows())
-    for (std::size_t cell = row.base; cell < row.base + row.count; ++cell)
-      if (region.cover[cell] > 0 && region.hold[cell] != kFixed && holdsTooMuch(region, cell))
-        now_.push_back(static_cast<std::uint32_t>(cell));
+  for (const std::uint32_t cell : region.covered)
+    if (region.mark2[cell] == 0 && region.hold[cell] != kFixed && holdsTooMuch(region, cell)) {
+      region.mark2[cell] = kQueued;  // tools may cover each other
+      now_.push_back(cell);
+    }
+  for (const std::uint32_t cell : now_) region.mark2[cell] = 0;
 }
 
 // Directions out of all tools at the cell; where tools disagree, those of the last.
@@ -96,6 +98,8 @@ void Clearing::run(Work& work, int sweeps) {
         if ((ways_[n] >> way & 1) != 0) {
           const std::size_t next = now_[n] + region.neighbours()[way];
           region.carry(now_[n], next, share_[n]);
+          region.touch(now_[n]);
+          region.touch(next);
           if (region.mark2[next] == 0) next_.push_back(static_cast<std::uint32_t>(next));
           region.mark2[next] = kQueued;
         }

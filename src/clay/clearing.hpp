@@ -20,7 +20,7 @@ class Clearing {
   void forget(Region& region);
 
  private:
-  void findExcess(const Region& region);
+  void findExcess(Region& region);
   std::uint8_t waysFrom(const Work& work, std::size_t cell);
   std::uint8_t outwardAt(const Work& work, std::size_t cell);
   std::uint8_t openWays(const Region& region, std::size_t cell) const;

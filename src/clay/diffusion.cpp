@@ -69,6 +69,7 @@ void Diffusion::prepareStencil(const Region& region, const Settings& settings) {
 void Diffusion::leave(Region& region, const Walk& walk, float& amount) {
   const float given = std::min(amount, floored(roomAt(region, walk.at)));
   region.carry(walk.from, walk.at, given);
+  region.touch(walk.at);
   amount -= given;
 }
 
@@ -91,6 +92,7 @@ void Diffusion::spread(Region& region, const Walk& walk, float& amount) {
       const float wanted = std::max(kQuantum, floored(whole * each.weight / sum));
       const float given = std::min({amount, wanted, floored(roomAt(region, each.step))});
       region.carry(walk.from, each.step, given);
+      region.touch(each.step);
       amount -= given;
     }
     std::erase_if(open_,
@@ -119,6 +121,7 @@ bool Diffusion::walk(Work& work, Walk& walk, float& amount) {
 void Diffusion::push(Work& work, std::size_t cell) {
   Region& region = work.region;
   const float excess = region.value[cell] - (1 - region.cover[cell]);
+  region.touch(cell);
   const glm::dvec3 normal = normalAt(work, cell);
   const double whole = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
   double radius = 4;
@@ -143,12 +146,11 @@ void Diffusion::run(Work& work) {
   Region& region = work.region;
   prepareStencil(region, work.settings);
   overlapped_.clear();
-  for (const Row& row : region.rows())
-    for (std::size_t cell = row.base; cell < row.base + row.count; ++cell)
-      if (region.cover[cell] > 0 && region.hold[cell] != kFixed &&
-          region.value[cell] > 1 - region.cover[cell])
-        overlapped_.push_back(static_cast<std::uint32_t>(cell));
+  for (const std::uint32_t cell : region.covered)
+    if (region.hold[cell] != kFixed && region.value[cell] > 1 - region.cover[cell])
+      overlapped_.push_back(cell);
   std::sort(overlapped_.begin(), overlapped_.end());
+  overlapped_.erase(std::unique(overlapped_.begin(), overlapped_.end()), overlapped_.end());
   for (const std::uint32_t cell : overlapped_) push(work, cell);
 }
 

@@ -75,6 +75,7 @@ void splat(Region& region) {
     }
   });
   region.wished = false;
+  region.touchRows();
 }
 
 void PaperDisplacement::run(Work& work) {
@@ -135,6 +136,7 @@ void PaperConservation::run(Work& work) {
   }
   for (; taken < queue_.size(); ++taken) region.mark2[queue_[taken]] = 0;
   clearing_.forget(region);
+  region.touchRows();
 }
 
 // To all denser neighbours, by how much denser they are.
@@ -172,6 +174,7 @@ void PaperTension::run(Work& work) {
   gifts_.clear();
   forClay(work.region, [&](std::size_t cell) { plan(work.region, cell); });
   for (const Gift& gift : gifts_) work.region.carry(gift.from, gift.to, gift.amount);
+  work.region.touchRows();
 }
 
 }  // namespace bozzetto::clay

@@ -69,8 +69,10 @@ float PlacedTool::swelling(Key key) const {
 }
 
 void CoverPainter::paintStatic(Region& region, const std::vector<PlacedTool>& supports) {
-  before_.clear();
+  region.covered.clear();
+  staticTiles_.clear();
   for (const PlacedTool& tool : supports) paint(region, tool, kStatic);
+  staticCells_ = region.covered.size();
   before_.clear();
   // Clay that goes on beyond the region is held there.
   forTiles(region.inner(), [&](Key tile) {
@@ -91,6 +93,8 @@ void CoverPainter::paintMoving(Region& region, const std::vector<PlacedTool>& mo
     region.owner[painted->cell] = painted->owner;
   }
   before_.clear();
+  region.covered.resize(staticCells_);
+  for (const std::size_t cell : staticTiles_) region.enterBand(cell);
   for (std::size_t n = 0; n < moving.size(); ++n)
     if (moving[n].role != Role::swell)
       paint(region, moving[n], static_cast<std::uint8_t>(kMoving + n));
@@ -104,14 +108,21 @@ void CoverPainter::paint(Region& region, const PlacedTool& tool, std::uint8_t ow
 void CoverPainter::paintTile(Region& region, const PlacedTool& tool, std::uint8_t owner, Key tile) {
   float value[512];
   tool.solid->evaluate(tile - tool.solid->cell, 8, value);
+  bool any = false;
   for (int n = 0; n < 512; ++n) {
     if (value[n] <= 0.25f) continue;
+    any = true;
     const std::size_t cell = region.index(tile + Key{n / 64, n / 8 % 8, n % 8});
     before_.push_back({cell, region.cover[cell], region.owner[cell]});
-    if (tool.role != Role::grip)
+    if (tool.role != Role::grip) {
       region.cover[cell] = std::max(region.cover[cell], sharpened(value[n]));
+      region.covered.push_back(static_cast<std::uint32_t>(cell));
+    }
     if (region.owner[cell] == kNobody) region.owner[cell] = owner;
   }
+  if (!any) return;
+  region.enterBand(region.index(tile));
+  if (owner == kStatic) staticTiles_.push_back(region.index(tile));
 }
 
 bool touchesClay(const Region& region, const PlacedTool& tool) {

@@ -56,6 +56,8 @@ class CoverPainter {
   void paintTile(Region& region, const PlacedTool& tool, std::uint8_t owner, Key tile);
 
   std::vector<Painted> before_;
+  std::vector<std::size_t> staticTiles_;  // a cell of each
+  std::size_t staticCells_ = 0;
 };
 
 /// Any cell of clay that the tool covers.

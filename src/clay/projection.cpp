@@ -7,54 +7,120 @@
 namespace bozzetto::clay {
 namespace {
 
-constexpr float kOverRelaxation = 1.85f;
+constexpr float kOverRelaxation = 1.15f;
 constexpr auto kAir = static_cast<std::uint8_t>(CellType::air);
 constexpr auto kClay = static_cast<std::uint8_t>(CellType::clay);
 constexpr auto kClosed = static_cast<std::uint8_t>(CellType::closed);
 constexpr auto kGripped = static_cast<std::uint8_t>(CellType::gripped);
 
+struct FaceRow {
+  const float *value, *wish;
+  const std::uint8_t* type;
+  float* face;
+  std::ptrdiff_t step;
+  int count;
+};
+
+BOZZETTO_KERNEL void faceKernel(const FaceRow& row) {
+  const float *v = row.value, *d = row.wish, *w = row.value + row.step, *e = row.wish + row.step;
+  const std::uint8_t *own = row.type, *next = row.type + row.step;
+  float* __restrict face = row.face;
+  for (int n = 0; n < row.count; ++n) {
+    const float mean = (v[n] * d[n] + w[n] * e[n]) / (v[n] + w[n] + 1e-9f);
+    const bool closed = own[n] == kClosed || next[n] == kClosed;
+    face[n] = closed ? 0.0f : mean;
+  }
+}
+
+BOZZETTO_SIMD_DISPATCH(void, faceRow, faceKernel, (const FaceRow& row), (row))
+
 // Displacement at faces: mean of the two cells', by their matter.
 void findFaces(Region& region, std::size_t axis) {
-  const std::ptrdiff_t step = region.strides()[axis];
   forRows(region.rows(), [&](const Row& row) {
     float* face = &region.face[axis][row.base];
-    if (!region.wished) {
+    if (region.wished)
+      faceRow({&region.value[row.base], &region.wish[axis][row.base], &region.type[row.base], face,
+               region.strides()[axis], row.count});
+    else
       std::fill_n(face, row.count, 0.0f);
-      return;
-    }
-    const float *v = &region.value[row.base], *d = &region.wish[axis][row.base];
-    const std::uint8_t* type = &region.type[row.base];
-    for (std::ptrdiff_t n = 0; n < row.count; ++n) {
-      const float mean = (v[n] * d[n] + v[n + step] * d[n + step]) / (v[n] + v[n + step] + 1e-9f);
-      face[n] = type[n] == kClosed || type[n + step] == kClosed ? 0.0f : mean;
-    }
   });
 }
 
+struct SourceRow {
+  const float *value, *cover;
+  const float* face[3];
+  const std::uint8_t* type;
+  std::ptrdiff_t step[3];
+  float *rhs, *inverse;
+  std::uint8_t* air;
+  int count;
+};
+
+constexpr int kPiece = 256;  // cells of a row at a time: local arrays stay in the cache
+
+// Neighbours that are air, and those that are closed or gripped.
+BOZZETTO_KERNEL void neighbourKernel(const SourceRow& row, int first, int count,
+                                     std::uint8_t* __restrict air, std::uint8_t* __restrict shut) {
+  const std::uint8_t* type = row.type + first;
+  for (int n = 0; n < count; ++n) {
+    air[n] = 0;
+    shut[n] = 0;
+  }
+  for (const std::ptrdiff_t step : row.step)
+    for (const std::ptrdiff_t way : {step, -step})
+      for (int n = 0; n < count; ++n) {
+        const std::uint8_t next = type[n + way];
+        air[n] = static_cast<std::uint8_t>(air[n] + (next == kAir ? 1 : 0));
+        shut[n] = static_cast<std::uint8_t>(shut[n] + (next >> 1));
+      }
+}
+
 // Right side and diagonal of the equation: Σ(Pₙ − P) = div u − e over open neighbours.
+BOZZETTO_KERNEL void sourceKernel(const SourceRow& row) {
+  std::uint8_t air[kPiece], shut[kPiece];
+  for (int first = 0; first < row.count; first += kPiece) {
+    const int count = row.count - first < kPiece ? row.count - first : kPiece;
+    neighbourKernel(row, first, count, air, shut);
+    const float *v = row.value + first, *cover = row.cover + first;
+    float* __restrict rhs = row.rhs + first, * __restrict inverse = row.inverse + first;
+    for (int n = 0; n < count; ++n) rhs[n] = 0;
+    for (int axis = 0; row.face[0] != nullptr && axis < 3; ++axis) {
+      const float* face = row.face[axis] + first;
+      for (int n = 0; n < count; ++n) rhs[n] += face[n] - face[n - row.step[axis]];
+    }
+    for (int n = 0; n < count; ++n) {
+      const float clay = row.type[first + n] == kClay ? 1.0f : 0.0f;
+      float excess = v[n] - (1 - cover[n]);
+      excess = excess < -0.5f ? -0.5f : excess > 1.0f ? 1.0f : excess;
+      // Surface cells may be partly full; elsewhere clay follows.
+      excess = air[n] != 0 && excess < 0 ? 0.0f : excess;
+      rhs[n] = clay * (rhs[n] - excess);
+      const auto open = static_cast<float>(6 - shut[n]);
+      inverse[n] = open > 0 ? clay / open : 0.0f;
+    }
+    std::uint8_t* __restrict kept = row.air + first;
+    for (int n = 0; n < count; ++n)
+      kept[n] = static_cast<std::uint8_t>(row.type[first + n] == kClay ? air[n] : 0);
+  }
+}
+
+BOZZETTO_SIMD_DISPATCH(void, sourceRow, sourceKernel, (const SourceRow& row), (row))
+
 void findSources(Region& region) {
   const auto& step = region.strides();
-  const auto& around = region.neighbours();
   forRows(region.denseRows(), [&](const Row& row) {
-    for (std::size_t n = row.base; n < row.base + row.count; ++n) {
-      region.inverse[n] = 0;
-      region.rhs[n] = 0;
-      if (region.type[n] != kClay) continue;
-      int open = 0;
-      bool surface = false;
-      for (const std::ptrdiff_t next : around) {
-        const std::uint8_t type = region.type[n + next];
-        open += type < kClosed ? 1 : 0;
-        surface = surface || type == kAir;
-      }
-      float divergence = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        divergence += region.face[axis][n] - region.face[axis][n - step[axis]];
-      // Surface cells may be partly full; elsewhere clay follows.
-      const float excess = std::clamp(region.value[n] - (1 - region.cover[n]), -0.5f, 1.0f);
-      region.rhs[n] = divergence - (surface ? std::max(excess, 0.0f) : excess);
-      region.inverse[n] = open > 0 ? 1.0f / static_cast<float>(open) : 0.0f;
-    }
+    const auto face = [&](std::size_t axis) {
+      return region.wished ? &region.face[axis][row.base] : nullptr;
+    };
+    sourceRow({&region.value[row.base],
+               &region.cover[row.base],
+               {face(0), face(1), face(2)},
+               &region.type[row.base],
+               {step[0], step[1], step[2]},
+               &region.rhs[row.base],
+               &region.inverse[row.base],
+               &region.mark2[row.base],
+               row.count});
   });
 }
 
@@ -99,39 +165,60 @@ struct GradientRow {
   const std::uint8_t* type;
   const float* pressure;
   float* face;
-  std::uint8_t* known;
   std::ptrdiff_t step;
   int count;
-  std::uint8_t bit;
+  float kept;  // of what the face had: 1, or 0 where nothing was wished
 };
 
 // Branches are masks: clay = 1, closed and gripped have bit 1.
 BOZZETTO_KERNEL void gradientKernel(const GradientRow& row) {
   const std::uint8_t *own = row.type, *next = row.type + row.step;
   const float *p = row.pressure, *q = row.pressure + row.step;
+  float* __restrict face = row.face;
   for (int n = 0; n < row.count; ++n) {
     const int open = 1 - ((own[n] | next[n]) >> 1 & 1);
     const int clay = (own[n] | next[n]) & open;
-    row.face[n] -= static_cast<float>(clay) * (q[n] - p[n]);
-  }
-  for (int n = 0; n < row.count; ++n) {
-    const int both = own[n] | next[n], open = 1 - (both >> 1 & 1);
-    const int gripped = (own[n] == kGripped ? 1 : 0) | (next[n] == kGripped ? 1 : 0);
-    row.known[n] |= static_cast<std::uint8_t>(((both & open) | gripped) * row.bit);
+    face[n] = row.kept * face[n] - static_cast<float>(clay) * (q[n] - p[n]);
   }
 }
 
 BOZZETTO_SIMD_DISPATCH(void, gradientRow, gradientKernel, (const GradientRow& row), (row))
 
-// u ← u − ∇P at faces of clay; mark tells which faces are known (bit a for axis a).
+struct KnownRow {
+  const std::uint8_t* type;
+  std::uint8_t* known;
+  std::ptrdiff_t step[3];
+  int count;
+};
+
+// Bit a: the face along axis a is one of clay, or of what is gripped.
+BOZZETTO_KERNEL void knownKernel(const KnownRow& row) {
+  std::uint8_t* __restrict known = row.known;
+  for (int n = 0; n < row.count; ++n) known[n] = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::uint8_t *own = row.type, *next = row.type + row.step[axis];
+    for (int n = 0; n < row.count; ++n) {
+      const int both = own[n] | next[n], open = 1 - (both >> 1 & 1);
+      const int gripped = (own[n] == kGripped ? 1 : 0) | (next[n] == kGripped ? 1 : 0);
+      known[n] |= static_cast<std::uint8_t>(((both & open) | gripped) << axis);
+    }
+  }
+}
+
+BOZZETTO_SIMD_DISPATCH(void, knownRow, knownKernel, (const KnownRow& row), (row))
+
+// u ← u − ∇P at faces of clay; mark tells which faces are known.
 void subtractGradient(Region& region) {
+  const auto& step = region.strides();
   forRows(region.rows(), [&](const Row& row) {
-    std::fill_n(&region.mark[row.base], row.count, std::uint8_t{0});
-    std::fill_n(&region.mark2[row.base], row.count, std::uint8_t{0});
     for (std::size_t axis = 0; axis < 3; ++axis)
       gradientRow({&region.type[row.base], &region.pressure[row.base], &region.face[axis][row.base],
-                   &region.mark[row.base], region.strides()[axis], row.count,
-                   static_cast<std::uint8_t>(1 << axis)});
+                   step[axis], row.count, region.wished ? 1.0f : 0.0f});
+  });
+  forRows(region.bandRows(), [&](const Row& row) {
+    knownRow(
+        {&region.type[row.base], &region.mark[row.base], {step[0], step[1], step[2]}, row.count});
+    std::fill_n(&region.mark2[row.base], row.count, std::uint8_t{0});
   });
 }
 
@@ -153,7 +240,7 @@ void extrapolate(Region& region, std::size_t axis, const Cells<std::uint8_t>& kn
                  Cells<std::uint8_t>& learnt) {
   const std::ptrdiff_t step = region.strides()[axis];
   const auto bit = static_cast<std::uint8_t>(1 << axis);
-  forRows(region.rows(), [&](const Row& row) {
+  forRows(region.bandRows(), [&](const Row& row) {
     for (std::size_t n = row.base; n < row.base + row.count; ++n) {
       if ((n - row.base) % 8 == 0 && nothingToLearn(region, known, n, axis)) {
         n += 7;
@@ -170,6 +257,22 @@ void extrapolate(Region& region, std::size_t axis, const Cells<std::uint8_t>& kn
       region.face[axis][n] = sum / static_cast<float>(count);
       learnt[n] |= bit;
     }
+  });
+}
+
+// Two rings of faces, the second from both.
+void learnFaces(Region& region) {
+  for (std::size_t axis = 0; axis < 3; ++axis) extrapolate(region, axis, region.mark, region.mark2);
+  forRows(region.bandRows(), [&](const Row& row) {
+    for (std::size_t n = row.base; n < row.base + row.count; ++n) {
+      region.mark[n] |= region.mark2[n];
+      region.mark2[n] = 0;
+    }
+  });
+  for (std::size_t axis = 0; axis < 3; ++axis) extrapolate(region, axis, region.mark, region.mark2);
+  forRows(region.bandRows(), [&](const Row& row) {
+    std::fill_n(&region.mark[row.base], row.count, std::uint8_t{0});
+    std::fill_n(&region.mark2[row.base], row.count, std::uint8_t{0});
   });
 }
 
@@ -201,7 +304,12 @@ void findTypes(Work& work) {
   Region& region = work.region;
   bool grips = false;
   for (const PlacedTool& tool : work.moving) grips = grips || tool.role == Role::grip;
-  forRows(region.rows(), [&](const Row& row) {
+  // No tool and no air in deep rows.
+  forRows(region.deepRows(), [&](const Row& row) {
+    for (std::size_t n = row.base; n < row.base + row.count; ++n)
+      region.type[n] = region.hold[n] == kFixed ? kClosed : kClay;
+  });
+  forRows(region.bandRows(), [&](const Row& row) {
     typeRow({&region.value[row.base], &region.cover[row.base], &region.hold[row.base],
              &region.type[row.base], &region.pressure[row.base], &region.pressureNext[row.base],
              row.count});
@@ -221,27 +329,21 @@ void followWish(Work& work) {
   work.region.wished = false;
 }
 
-void project(Work& work, const SolverOptions& options) {
+void Projection::run(Work& work, const SolverOptions& options) {
   Region& region = work.region;
   findTypes(work);
-  for (std::size_t axis = 0; axis < 3; ++axis) findFaces(region, axis);
+  if (region.wished)
+    for (std::size_t axis = 0; axis < 3; ++axis) findFaces(region, axis);
   findSources(region);
-  for (int n = 0; n < 2 * (options.sweeps + options.settlingSweeps); ++n)
-    sweep(region, n % 2, n < 2 * options.sweeps ? kOverRelaxation : 1.0f);
+  grid_.prepare(region);
+  for (int cycle = 0; cycle < options.cycles; ++cycle) {
+    for (int n = 0; n < 2 * options.before; ++n) sweep(region, n % 2, kOverRelaxation);
+    grid_.correct(region);
+    for (int n = 0; n < 2 * options.after; ++n)
+      sweep(region, n % 2, n < 2 * options.after - 2 ? kOverRelaxation : 1.0f);
+  }
   subtractGradient(region);
-  // Two rings of faces, the second from both.
-  for (std::size_t axis = 0; axis < 3; ++axis) extrapolate(region, axis, region.mark, region.mark2);
-  forRows(region.rows(), [&](const Row& row) {
-    for (std::size_t n = row.base; n < row.base + row.count; ++n) {
-      region.mark[n] |= region.mark2[n];
-      region.mark2[n] = 0;
-    }
-  });
-  for (std::size_t axis = 0; axis < 3; ++axis) extrapolate(region, axis, region.mark, region.mark2);
-  forRows(region.rows(), [&](const Row& row) {
-    std::fill_n(&region.mark[row.base], row.count, std::uint8_t{0});
-    std::fill_n(&region.mark2[row.base], row.count, std::uint8_t{0});
-  });
+  learnFaces(region);
   region.wished = false;
 }
 

@@ -3,16 +3,24 @@
 // what is too little inside a sink, so that clay follows instead of thinning.
 #pragma once
 #include "clay/layer.hpp"
+#include "clay/pressure_grid.hpp"
 
 namespace bozzetto::clay {
 
+/// From the last step's pressure: cycles of sweeps and corrections on coarser cells.
 struct SolverOptions {
-  int sweeps = 12;         ///< red-black, over-relaxed by 1.85, from the last step's pressure
-  int settlingSweeps = 3;  ///< without over-relaxation: no checkerboard remains
+  int cycles = 1;
+  int before = 1, after = 2;  ///< red-black sweeps; the last without over-relaxation
 };
 
-/// From region.wish (0 when nothing is wished) to region.face.
-void project(Work& work, const SolverOptions& options = {});
+class Projection {
+ public:
+  /// From region.wish (0 when nothing is wished) to region.face.
+  void run(Work& work, const SolverOptions& options = {});
+
+ private:
+  PressureGrid grid_;
+};
 
 /// From region.wish to region.face as it is.
 void followWish(Work& work);

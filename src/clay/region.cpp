@@ -5,7 +5,19 @@
 namespace bozzetto::clay {
 namespace {
 
-enum Flag : std::uint8_t { kHasClay = 1, kDense = 2, kListed = 4, kVisited = 8, kAtRim = 16 };
+// What tiles have: any clay, a cell of half or more, only such cells; what is done with them; a
+// tool in them; and deep: 27 of them have only such cells and no tool.
+enum Flag : std::uint16_t {
+  kHasClay = 1,
+  kDense = 2,
+  kListed = 4,
+  kVisited = 8,
+  kAtRim = 16,
+  kSolid = 32,
+  kTouched = 64,
+  kTooled = 128,
+  kDeep = 256,
+};
 
 constexpr std::int32_t floorTile(std::int32_t corner) { return corner & ~(Region::kTile - 1); }
 
@@ -82,17 +94,76 @@ void Region::forRowsOfTile(std::size_t tile, const Callback& callback) const {
     for (std::int32_t j = 0; j < kTile; ++j) callback(index(box_.low + first + Key{i, j, 0}));
 }
 
+std::uint32_t Region::tileOf(std::size_t cell) const {
+  const auto n = static_cast<std::uint32_t>(cell);
+  const auto slab = static_cast<std::uint32_t>(strides_[0]),
+             row = static_cast<std::uint32_t>(strides_[1]);
+  const std::uint32_t i = n / slab, j = n % slab / row, k = n % row;
+  return static_cast<std::uint32_t>(tileIndex(static_cast<std::int32_t>(i / kTile),
+                                              static_cast<std::int32_t>(j / kTile),
+                                              static_cast<std::int32_t>(k / kTile)));
+}
+
+// The tile itself is the 14th.
+std::array<std::uint32_t, 27> Region::around(std::uint32_t tile) const {
+  const auto slab = static_cast<std::uint32_t>(tiles_.j * tiles_.k),
+             column = static_cast<std::uint32_t>(tiles_.k);
+  std::array<std::uint32_t, 27> tiles;
+  for (std::uint32_t n = 0; n < 27; ++n)
+    tiles[n] = tile - slab - column - 1 + n / 9 * slab + n / 3 % 3 * column + n % 3;
+  return tiles;
+}
+
+void Region::touch(std::size_t cell) {
+  const std::uint32_t tile = tileOf(cell);
+  if ((flags_[tile] & (kTouched | kAtRim)) != 0) return;
+  flags_[tile] |= kTouched;
+  touched_.push_back(tile);
+}
+
+bool Region::inBand(std::size_t cell) const {
+  return (flags_[tileOf(cell)] & (kListed | kDeep)) == kListed;
+}
+
+void Region::enterBand(std::size_t cell) {
+  const std::uint32_t tile = tileOf(cell);
+  if ((flags_[tile] & kTooled) != 0) return;
+  flags_[tile] |= kTooled;
+  tooled_.push_back(tile);
+}
+
+namespace {
+
+struct Least {
+  int clay = 0, dense = 0;
+  float least = 1;
+};
+
+BOZZETTO_KERNEL Least leastKernel(const float* value) {
+  Least found;
+  for (int n = 0; n < Region::kTile; ++n) {
+    found.clay += value[n] > 0 ? 1 : 0;
+    found.dense += value[n] >= 0.5f ? 1 : 0;
+    found.least = value[n] < found.least ? value[n] : found.least;
+  }
+  return found;
+}
+
+}  // namespace
+
 void Region::lookAt(std::size_t tile) {
-  std::int32_t clay = 0, dense = 0;
+  Least all;
   forRowsOfTile(tile, [&](std::size_t base) {
-    for (std::size_t k = base; k < base + kTile; ++k) {
-      clay += value[k] > 0 ? 1 : 0;
-      dense += value[k] >= 0.5f ? 1 : 0;
-    }
+    const Least row = leastKernel(&value[base]);
+    all.clay += row.clay;
+    all.dense += row.dense;
+    all.least = std::min(all.least, row.least);
   });
-  flags_[tile] = static_cast<std::uint8_t>((flags_[tile] & ~(kHasClay | kDense)) |
-                                           (clay > 0 ? kHasClay : 0) | (dense > 0 ? kDense : 0));
-  countOf_[tile] = clay;
+  const int found = (all.clay > 0 ? kHasClay : 0) | (all.dense > 0 ? kDense : 0) |
+                    (all.least >= 0.5f ? kSolid : 0);
+  constexpr int looked = kHasClay | kDense | kSolid | kTouched;
+  flags_[tile] = static_cast<std::uint16_t>((flags_[tile] & ~looked) | found);
+  countOf_[tile] = all.clay;
 }
 
 void Region::clear(std::size_t tile) {
@@ -110,27 +181,28 @@ void Region::refreshRows(bool everywhere) {
     for (std::size_t n = 0; n < flags_.size(); ++n)
       if ((flags_[n] & kAtRim) == 0) listed_.push_back(static_cast<std::uint32_t>(n));
   }
-  parallelFor(listed_.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) lookAt(listed_[n]);
+  for (const std::uint32_t tile : touched_)
+    if ((flags_[tile] & kListed) == 0) listed_.push_back(tile);
+  const auto& changed = everywhere || touchedRows_ ? listed_ : touched_;
+  parallelFor(changed.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) lookAt(changed[n]);
   });
-  list();
+  if (!changed.empty()) list();
+  touched_.clear();
+  touchedRows_ = false;
 }
 
 // Marks tiles with clay and their neighbours, clears those that are left, lists rows.
 void Region::list() {
-  std::vector<std::uint32_t> before;
-  before.swap(listed_);
-  for (const std::uint32_t tile : before) flags_[tile] &= static_cast<std::uint8_t>(~kListed);
+  before_.swap(listed_);
+  listed_.clear();
+  for (const std::uint32_t tile : before_) flags_[tile] &= static_cast<std::uint16_t>(~kListed);
   reachesRim_ = false;
   clayCells_ = 0;
-  const auto slab = static_cast<std::uint32_t>(tiles_.j * tiles_.k),
-             column = static_cast<std::uint32_t>(tiles_.k);
-  for (const std::uint32_t tile : before) {
+  for (const std::uint32_t tile : before_) {
     if ((flags_[tile] & kHasClay) == 0) continue;
     clayCells_ += countOf_[tile];
-    const std::uint32_t first = tile - slab - column - 1;
-    for (std::uint32_t n = 0; n < 27; ++n) {
-      const std::uint32_t other = first + n / 9 * slab + n / 3 % 3 * column + n % 3;
+    for (const std::uint32_t other : around(tile)) {
       reachesRim_ = reachesRim_ || (flags_[other] & kAtRim) != 0;
       if ((flags_[other] & (kAtRim | kListed)) != 0) continue;
       flags_[other] |= kListed | kVisited;
@@ -138,30 +210,61 @@ void Region::list() {
     }
   }
   std::sort(listed_.begin(), listed_.end());
-  for (const std::uint32_t tile : before)
+  for (const std::uint32_t tile : before_)
     if ((flags_[tile] & (kListed | kVisited)) == kVisited) clear(tile);
-  listRows(kListed, rows_);
-  listRows(kDense, denseRows_);
+  listRows({kListed, kListed}, rows_);
+  listTiles({kListed | kDense, kListed | kDense}, denseTiles_);
+  listRows(denseTiles_, denseRows_);
 }
 
-void Region::listRows(std::uint8_t flag, std::vector<Row>& rows) const {
-  rows.clear();
-  for (std::size_t n = 0; n < listed_.size();) {
-    const auto first = static_cast<std::int32_t>(listed_[n]);
-    const auto wanted = [&](std::size_t at) {
-      return at < listed_.size() && (flags_[listed_[at]] & flag) != 0 &&
-             static_cast<std::int32_t>(listed_[at]) / tiles_.k == first / tiles_.k;
-    };
-    std::size_t end = n;
-    while (wanted(end) && listed_[end] == listed_[n] + (end - n)) ++end;
-    const auto length = static_cast<std::int32_t>(end - n) * kTile;
-    const Key low{first / (tiles_.j * tiles_.k) * kTile, first / tiles_.k % tiles_.j * kTile,
-                  first % tiles_.k * kTile};
-    for (std::int32_t i = low.i; length > 0 && i < low.i + kTile; ++i)
-      for (std::int32_t j = low.j; j < low.j + kTile; ++j)
-        rows.push_back({index(box_.low + Key{i, j, low.k}), i, j, low.k, length});
-    n = std::max(end, n + 1);
+void Region::classify(std::uint32_t tile) {
+  bool deep = true;
+  for (const std::uint32_t other : around(tile)) {
+    const bool solid = (flags_[other] & (kAtRim | kSolid)) != 0;
+    deep = deep && solid && (flags_[other] & kTooled) == 0;
   }
+  flags_[tile] = static_cast<std::uint16_t>((flags_[tile] & ~kDeep) | (deep ? kDeep : 0));
+}
+
+void Region::listBand() {
+  parallelFor(listed_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) classify(listed_[n]);
+  });
+  listRows({kListed | kDeep, kListed}, bandRows_);
+  listRows({kListed | kDeep, kListed | kDeep}, deepRows_);
+  for (const std::uint32_t tile : tooled_) flags_[tile] &= static_cast<std::uint16_t>(~kTooled);
+  tooled_.clear();
+}
+
+void Region::listTiles(Selection which, std::vector<TileRun>& runs) const {
+  runs.clear();
+  for (std::size_t n = 0; n < listed_.size(); ++n) {
+    const std::uint32_t tile = listed_[n];
+    if ((flags_[tile] & which.mask) != which.wanted) continue;
+    const auto t = static_cast<std::int32_t>(tile);
+    const TileRun own{t / (tiles_.j * tiles_.k), t / tiles_.k % tiles_.j, t % tiles_.k, 1};
+    const bool next = !runs.empty() && runs.back().i == own.i && runs.back().j == own.j &&
+                      runs.back().k + runs.back().count == own.k;
+    if (next)
+      ++runs.back().count;
+    else
+      runs.push_back(own);
+  }
+}
+
+void Region::listRows(const std::vector<TileRun>& runs, std::vector<Row>& rows) const {
+  rows.clear();
+  for (const TileRun& run : runs) {
+    const Key low = Key{run.i, run.j, run.k} * kTile;
+    for (std::int32_t i = low.i; i < low.i + kTile; ++i)
+      for (std::int32_t j = low.j; j < low.j + kTile; ++j)
+        rows.push_back({index(box_.low + Key{i, j, low.k}), i, j, low.k, run.count * kTile});
+  }
+}
+
+void Region::listRows(Selection which, std::vector<Row>& rows) {
+  listTiles(which, runs_);
+  listRows(runs_, rows);
 }
 
 std::vector<Key> Region::visitedTiles() const {

@@ -30,6 +30,11 @@ struct Row {
   std::int32_t i, j, k, count;
 };
 
+/// Tiles of 8³ in a row along k, from local tile (i, j, k) upwards.
+struct TileRun {
+  std::int32_t i, j, k, count;
+};
+
 /// What a cell is to the projection.
 enum class CellType : std::uint8_t { air = 0, clay = 1, closed = 2, gripped = 3 };
 
@@ -54,12 +59,27 @@ class Region {
   const std::array<std::ptrdiff_t, 6>& neighbours() const { return neighbours_; }
 
   /// Looks where clay is now and lists the rows. `everywhere` after loading; later only tiles
-  /// that were listed are looked at: matter moves less than a tile between two calls.
+  /// that were listed, and those touched beyond them, are looked at: matter moves less than a tile
+  /// between two calls, or is told by touch().
   void refreshRows(bool everywhere = false);
+  /// This cell has changed. Not for several threads at once.
+  void touch(std::size_t cell);
+  /// Any cell of the rows may have changed.
+  void touchRows() { touchedRows_ = true; }
   /// Rows of tiles with clay and of their 26 neighbours, the rim left out.
   const std::vector<Row>& rows() const { return rows_; }
   /// Rows of tiles with cells of half a cell's clay or more.
   const std::vector<Row>& denseRows() const { return denseRows_; }
+  /// Rows but those of deep tiles, in which, and round which, every cell has half or more and no
+  /// tool is: nothing of the surface happens there.
+  const std::vector<Row>& bandRows() const { return bandRows_; }
+  const std::vector<Row>& deepRows() const { return deepRows_; }
+  const std::vector<TileRun>& denseTiles() const { return denseTiles_; }
+  bool inBand(std::size_t cell) const;
+  /// A tool is in the tile of this cell: it, and those round it, are in the band from now on.
+  void enterBand(std::size_t cell);
+  /// Lists band and deep rows anew once all tools have been painted.
+  void listBand();
   /// Clay stands in a tile beside the rim.
   bool reachesRim() const { return reachesRim_; }
   std::int64_t clayCells() const { return clayCells_; }
@@ -82,30 +102,41 @@ class Region {
   std::array<Cells<float>, 3> face;    ///< displacement at faces to the next cell
   std::array<Cells<float>, 3> colour;  ///< 0…255; empty where one colour is all
   Cells<std::uint8_t> hold, owner, type, mark, mark2;
-  std::uint32_t onlyColour = 0;  ///< attributes without hold
-  bool wished = false;           ///< a layer has asked for a displacement not yet carried out
+  std::vector<std::uint32_t> covered;  ///< cells that tools cover, static ones first
+  std::uint32_t onlyColour = 0;        ///< attributes without hold
+  bool wished = false;                 ///< a layer has asked for a displacement not yet carried out
 
  private:
   struct Tiles {
     std::int32_t i, j, k;
   };
+  /// Which tiles a list takes: those whose flags are `wanted` under `mask`.
+  struct Selection {
+    std::uint16_t mask, wanted;
+  };
   std::size_t tileIndex(std::int32_t i, std::int32_t j, std::int32_t k) const;
+  std::uint32_t tileOf(std::size_t cell) const;
+  std::array<std::uint32_t, 27> around(std::uint32_t tile) const;
   void lookAt(std::size_t tile);
   void list();
+  void classify(std::uint32_t tile);
   void clear(std::size_t tile);
   template <class Callback>
   void forRowsOfTile(std::size_t tile, const Callback& callback) const;
-  void listRows(std::uint8_t flag, std::vector<Row>& rows) const;
+  void listTiles(Selection which, std::vector<TileRun>& runs) const;
+  void listRows(const std::vector<TileRun>& runs, std::vector<Row>& rows) const;
+  void listRows(Selection which, std::vector<Row>& rows);
 
   KeyBox box_;
   Tiles tiles_;
   std::array<std::ptrdiff_t, 3> strides_;
   std::array<std::ptrdiff_t, 6> neighbours_;
-  std::vector<std::uint8_t> flags_;
-  std::vector<std::uint32_t> listed_;
+  std::vector<std::uint16_t> flags_;
+  std::vector<std::uint32_t> listed_, touched_, before_, tooled_;
   std::vector<std::int32_t> countOf_;
-  std::vector<Row> rows_, denseRows_;
-  bool reachesRim_ = false;
+  std::vector<TileRun> denseTiles_, runs_;
+  std::vector<Row> rows_, denseRows_, bandRows_, deepRows_;
+  bool touchedRows_ = true, reachesRim_ = false;
   std::int64_t clayCells_ = 0;
 };
 

@@ -19,12 +19,13 @@ class Conservation final : public Layer {
  public:
   void run(Work& work) override {
     clearing_.run(work);
-    project(work);
+    projection_.run(work);
     transport(work);
   }
 
  private:
   Clearing clearing_;
+  Projection projection_;
 };
 
 class Tension final : public Layer {
@@ -83,6 +84,7 @@ void Stepper::finish(Work& work) {
 void Stepper::step(Work& work) {
   Region& region = work.region;
   painter_.paintMoving(region, work.moving);
+  region.listBand();
   for (const auto& layer : layers_) layer->run(work);
   if (region.wished) {
     followWish(work);

@@ -21,7 +21,8 @@ std::uint8_t refuge(const Region& region, std::size_t cell) {
     densest = region.value[next];
     best = static_cast<std::uint8_t>(way + 1);
   }
-  return densest < kDense || own < kFaint ? best : 0;
+  if (best == 0 || (densest >= kDense && own >= kFaint)) return 0;
+  return region.inBand(cell + region.neighbours()[best - 1]) ? best : 0;
 }
 
 bool anyDust(const float* value, int count) {
@@ -57,25 +58,26 @@ void gatherColour(Region& region, Cells<float>& channel, std::size_t cell) {
 
 void sweepDust(Work& work) {
   Region& region = work.region;
-  forRows(region.rows(), [&](const Row& row) {
+  region.touchRows();
+  forRows(region.bandRows(), [&](const Row& row) {
     const bool any = anyDust(&region.value[row.base], row.count);
     for (std::size_t n = row.base; n < row.base + row.count; ++n)
       region.mark[n] = any ? refuge(region, n) : std::uint8_t{0};
   });
   if (region.colour[0])
     for (auto& channel : region.colour) {
-      forRows(region.rows(), [&](const Row& row) {
+      forRows(region.bandRows(), [&](const Row& row) {
         for (std::size_t n = row.base; n < row.base + row.count; ++n)
           gatherColour(region, channel, n);
       });
-      forRows(region.rows(), [&](const Row& row) {
+      forRows(region.bandRows(), [&](const Row& row) {
         std::copy_n(&region.scratch2[row.base], row.count, &channel[row.base]);
       });
     }
-  forRows(region.rows(), [&](const Row& row) {
+  forRows(region.bandRows(), [&](const Row& row) {
     for (std::size_t n = row.base; n < row.base + row.count; ++n) gather(region, n);
   });
-  forRows(region.rows(), [&](const Row& row) {
+  forRows(region.bandRows(), [&](const Row& row) {
     std::copy_n(&region.scratch[row.base], row.count, &region.value[row.base]);
     std::fill_n(&region.mark[row.base], row.count, std::uint8_t{0});
   });
@@ -138,10 +140,16 @@ void CrumbEater::eat(Work& work, std::uint32_t piece) {
         touches = touches || (region.value[fringe + other] >= work.iso &&
                               region.owner[fringe + other] != kRim &&
                               pieces_.pieceAt(fringe + other) != piece);
-      if (!touches && fringe != target) region.carry(fringe, target, region.value[fringe]);
+      if (touches || fringe == target) continue;
+      region.carry(fringe, target, region.value[fringe]);
+      region.touch(fringe);
     }
   }
-  for (const std::uint32_t cell : crumb_) region.carry(cell, target, region.value[cell]);
+  for (const std::uint32_t cell : crumb_) {
+    region.carry(cell, target, region.value[cell]);
+    region.touch(cell);
+  }
+  region.touch(target);
   ++work.report.crumbs;
 }
 

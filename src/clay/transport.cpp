@@ -8,7 +8,8 @@
 namespace bozzetto::clay {
 namespace {
 
-constexpr int kPiece = 256;  // cells of a row at a time: local arrays stay in the cache
+constexpr float kPlainDensity = 0.98f;  // fuller cells among such have no surface
+constexpr int kPiece = 256;             // cells of a row at a time: local arrays stay in the cache
 
 struct RowSource {
   const float* v;
@@ -82,28 +83,98 @@ BOZZETTO_KERNEL void fluxKernel(const FluxRow& row) {
 
 BOZZETTO_SIMD_DISPATCH(void, fluxRow, fluxKernel, (const FluxRow& row), (row))
 
-BOZZETTO_KERNEL bool stillKernel(const float* face, int count) {
-  std::uint32_t any = 0;
-  for (int n = 0; n < count; ++n) any |= std::bit_cast<std::uint32_t>(face[n]) << 1;
-  return any == 0;
+// Upwind: full clay among full clay has no edge to keep sharp.
+BOZZETTO_KERNEL void plainFluxKernel(const FluxRow& row) {
+  const float *v = row.source.v, *face = row.face;
+  float* __restrict flux = row.flux;
+  const std::ptrdiff_t along = row.source.along;
+  for (int n = 0; n < row.count; ++n) {
+    const float u = limited(face[n]);
+    const bool forward = u > 0;
+    const float density = forward ? v[n] : v[n + along];
+    const float other = limited(forward ? -face[n - along] : face[n + along]);
+    const float back = other > 0 ? other : 0.0f, size = sizeOf(u);
+    const float part = size + back > 1 ? 1 / (size + back) : 1.0f;
+    const float whole = quantised(density * (size * part) - kQuantum);
+    const float out = whole > 0 ? whole : 0.0f;
+    flux[n] = forward ? out : -out;
+  }
 }
 
-BOZZETTO_SIMD_DISPATCH(bool, still, stillKernel, (const float* face, int count), (face, count))
+BOZZETTO_SIMD_DISPATCH(void, plainFluxRow, plainFluxKernel, (const FluxRow& row), (row))
+
+struct MoveRow {
+  const float* flux;
+  float* value;
+  std::ptrdiff_t step;
+  int count;
+};
+
+BOZZETTO_KERNEL void moveKernel(const MoveRow& row) {
+  const float* flux = row.flux;
+  float* __restrict value = row.value;
+  for (int n = 0; n < row.count; ++n) value[n] += flux[n - row.step] - flux[n];
+}
+
+BOZZETTO_SIMD_DISPATCH(void, moveRow, moveKernel, (const MoveRow& row), (row))
+
+// What eight faces of a row have to do: nothing, or upwind for full clay, or THINC.
+enum Way : std::uint8_t { kStill, kPlain, kSharp };
+constexpr int kGroup = 8;
+
+BOZZETTO_KERNEL void waysKernel(const FluxRow& row, std::uint8_t* ways) {
+  const float* v = row.source.v;
+  const std::ptrdiff_t along = row.source.along;
+  for (int first = 0; first < row.count; first += kGroup) {
+    std::uint32_t moved = 0;
+    int mixed = 0, any = 0;
+    for (int n = first; n < first + kGroup; ++n) {
+      moved |= std::bit_cast<std::uint32_t>(row.face[n]) << 1;
+      mixed |= (v[n] < kPlainDensity ? 1 : 0) | (v[n + along] < kPlainDensity ? 1 : 0);
+      any |= (v[n] > 0 ? 1 : 0) | (v[n + along] > 0 ? 1 : 0);
+    }
+    ways[first / kGroup] = moved == 0 || any == 0 ? kStill : mixed != 0 ? kSharp : kPlain;
+  }
+}
+
+BOZZETTO_SIMD_DISPATCH(void, waysOfRow, waysKernel, (const FluxRow& row, std::uint8_t* ways),
+                       (row, ways))
+
+void fluxOf(const FluxRow& row, Way way) {
+  if (way == kStill)
+    std::fill_n(row.flux, row.count, 0.0f);
+  else if (way == kPlain)
+    plainFluxRow(row);
+  else
+    fluxRow(row);
+}
+
+// Groups that have the same to do in one go.
+void fluxPiece(const FluxRow& piece) {
+  std::uint8_t ways[kPiece / kGroup];
+  waysOfRow(piece, ways);
+  for (int first = 0; first < piece.count;) {
+    int end = first + kGroup;
+    while (end < piece.count && ways[end / kGroup] == ways[first / kGroup]) end += kGroup;
+    FluxRow part = piece;
+    part.source.v += first;
+    part.face += first;
+    part.flux += first;
+    part.count = end - first;
+    fluxOf(part, static_cast<Way>(ways[first / kGroup]));
+    first = end;
+  }
+}
 
 void findFluxes(Region& region, std::size_t axis) {
   const auto& step = region.strides();
   forRows(region.rows(), [&](const Row& row) {
     for (std::int32_t at = 0; at < row.count; at += kPiece) {
       const std::size_t first = row.base + at;
-      const int count = std::min(kPiece, row.count - at);
-      if (still(&region.face[axis][first], count)) {
-        std::fill_n(&region.flux[first], count, 0.0f);
-        continue;
-      }
-      fluxRow({{&region.value[first], step[axis], {step[(axis + 1) % 3], step[(axis + 2) % 3]}},
-               &region.face[axis][first],
-               &region.flux[first],
-               count});
+      fluxPiece({{&region.value[first], step[axis], {step[(axis + 1) % 3], step[(axis + 2) % 3]}},
+                 &region.face[axis][first],
+                 &region.flux[first],
+                 std::min(kPiece, row.count - at)});
     }
   });
 }
@@ -149,9 +220,7 @@ void moveColours(Region& region, std::size_t axis) {
 void moveMatter(Region& region, std::size_t axis) {
   const std::ptrdiff_t step = region.strides()[axis];
   forRows(region.rows(), [&](const Row& row) {
-    const float* flux = &region.flux[row.base];
-    float* value = &region.value[row.base];
-    for (std::ptrdiff_t n = 0; n < row.count; ++n) value[n] += flux[n - step] - flux[n];
+    moveRow({&region.flux[row.base], &region.value[row.base], step, row.count});
   });
 }
 
@@ -165,6 +234,7 @@ void transport(Work& work) {
     if (region.colour[0]) moveColours(region, axis);
     moveMatter(region, axis);
   }
+  region.touchRows();
 }
 
 }  // namespace bozzetto::clay

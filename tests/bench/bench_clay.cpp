@@ -139,14 +139,32 @@ void memorySweep(benchmark::State& state) {
 }
 
 const auto kMs = benchmark::kMillisecond;
-BENCHMARK_CAPTURE(steps, paper_32, bar32(clay::Scheme::paper))->Unit(kMs)->UseRealTime();
-BENCHMARK_CAPTURE(steps, projected_32, bar32(clay::Scheme::projected))->Unit(kMs)->UseRealTime();
-BENCHMARK_CAPTURE(steps, plough_100k_cells, plough())->Unit(kMs)->UseRealTime();
-BENCHMARK_CAPTURE(steps, print_16_on_128, print(128))->Unit(kMs)->UseRealTime();
-BENCHMARK_CAPTURE(steps, print_16_on_512, print(512))->Unit(kMs)->UseRealTime();
-BENCHMARK_CAPTURE(steps, bend_half_of_128, bendLarge())->Unit(kMs)->UseRealTime();
-BENCHMARK_CAPTURE(steps, raffin_50, raffin())->Unit(kMs)->UseRealTime();
-BENCHMARK_CAPTURE(steps, takai_column, takai())->Unit(kMs)->UseRealTime();
+BENCHMARK_CAPTURE(steps, paper_32, bar32(clay::Scheme::paper))
+    ->Unit(kMs)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(steps, projected_32, bar32(clay::Scheme::projected))
+    ->Unit(kMs)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(steps, plough_100k_cells, plough())
+    ->Unit(kMs)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(steps, print_16_on_128, print(128))
+    ->Unit(kMs)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(steps, print_16_on_512, print(512))
+    ->Unit(kMs)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(steps, bend_half_of_128, bendLarge())
+    ->Unit(kMs)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(steps, raffin_50, raffin())->Unit(kMs)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(steps, takai_column, takai())->Unit(kMs)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(memorySweep)->Arg(100'000)->Arg(1'000'000)->Arg(8'000'000);
 
 }  // namespace
