@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "bozzetto/base/file.hpp"
+#include "bozzetto/history/recovery.hpp"
+#include "history/folder_listing.hpp"
 #include "history/journal.hpp"
 
 namespace bozzetto {
@@ -52,6 +54,27 @@ void removeHistory(const std::filesystem::path& folder, FileSystem& files) {
     files.remove(folder);
   } catch (const Error&) {
   }
+}
+
+std::optional<HistoryGlance> glanceAt(const std::filesystem::path& folder, FileSystem& files) {
+  const auto identity = identityOf(folder, files);
+  if (!identity) return std::nullopt;
+  const undo::FolderListing listing = undo::listFolder(folder, *identity, files);
+  HistoryGlance glance;
+  glance.steps = listing.steps.size();
+  for (const auto& [number, head] : listing.steps) {
+    glance.time = std::max(glance.time, head.step.time);
+  }
+  for (auto step = listing.steps.rbegin(); step != listing.steps.rend() && glance.thumbnail.empty();
+       ++step) {
+    try {
+      const auto picture = folder / undo::pictureFileName(step->first);
+      if (!files.info(picture)) continue;
+      glance.thumbnail = readFile(picture, undo::kMostThumbnailBytes, files);
+    } catch (const Error&) {
+    }
+  }
+  return glance;
 }
 
 bool historyIsLocked(const std::filesystem::path& folder, FileSystem& files) {

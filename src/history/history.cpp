@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstring>
 
+#include "history/folder_listing.hpp"
 #include "history/history_state.hpp"
 
 namespace bozzetto {
@@ -65,13 +66,32 @@ std::vector<Step> History<Side>::steps() const {
 
 template <int Side>
 Bytes History<Side>::thumbnail(StepNumber step) const {
-  if (tree().find(step) == nullptr || !state_->parts.files) return {};
+  if (tree().find(step) == nullptr) return {};
+  const auto held = state_->pictures.find(step);
+  if (held != state_->pictures.end()) return held->second;
+  if (state_->parts.files == nullptr) return {};
+  FileSystem& files = *state_->parts.files;
   try {
+    const auto later = state_->parts.folder / undo::pictureFileName(step);
+    if (files.info(later)) return readFile(later, undo::kMostThumbnailBytes, files);
+    const auto file = state_->parts.folder / undo::stepFileName(step);
+    if (undo::readHead(file, files).thumbnailBytes == 0) return {};
     const Bytes bytes = state_->bytesOf(step);
     const auto picture = undo::UndoFile<Side>(bytes, "").thumbnail();
     return {picture.begin(), picture.end()};
   } catch (const Error&) {
     return {};
+  }
+}
+
+template <int Side>
+void History<Side>::setThumbnail(StepNumber step, Bytes png) {
+  if (tree().find(step) == nullptr) return;
+  if (state_->parts.journal) {
+    state_->parts.journal->add(
+        typename undo::Journal<Side>::PictureEvent{undo::pictureFileName(step), std::move(png)});
+  } else {
+    state_->pictures[step] = std::move(png);
   }
 }
 
@@ -162,8 +182,8 @@ void History<Side>::markSaved(const HistoryPlace& place) {
 }
 
 template <int Side>
-bool History<Side>::atSaved() const {
-  return state_->parts.saved == place();
+std::optional<StepNumber> History<Side>::savedState() const {
+  return state_->parts.saved;
 }
 
 template <int Side>

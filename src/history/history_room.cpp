@@ -39,7 +39,7 @@ void History<Side>::State::takeNews() {
   if (news.checkpoint || news.checkpointFailed) checkpointRunning = false;
   if (!news.checkpoint) return;
   if (!parts.tree.has(*news.checkpoint)) {
-    parts.journal->add({undo::checkpointFileName(*news.checkpoint)});
+    parts.journal->remove(undo::checkpointFileName(*news.checkpoint));
     return;
   }
   std::erase_if(parts.anchors, [&](const Anchor& a) { return a.state == *news.checkpoint; });
@@ -78,7 +78,7 @@ template <int Side>
 void History<Side>::State::rotate() {
   while (overLimits()) {
     if (!parts.lostFiles.empty()) {
-      parts.journal->add({parts.lostFiles.front()});
+      removeStep(parts.lostFiles.front());
       parts.lostFiles.erase(parts.lostFiles.begin());
       continue;
     }
@@ -94,17 +94,24 @@ void History<Side>::State::dropStep(StepNumber number) {
   forget(number);
   const StepNumber state = parts.tree.drop(number);
   if (parts.journal) {
-    parts.journal->add({undo::stepFileName(number)});
+    removeStep(undo::stepFileName(number));
     dropAnchor(state);
   }
   if (parts.saved == state) parts.saved.reset();
+}
+
+// An undo-file, and its picture.
+template <int Side>
+void History<Side>::State::removeStep(const std::string& undoFile) {
+  parts.journal->remove(undoFile);
+  parts.journal->remove(undo::pictureFileName(static_cast<StepNumber>(std::stoul(undoFile))));
 }
 
 template <int Side>
 void History<Side>::State::dropAnchor(StepNumber state) {
   for (const Anchor& anchor : parts.anchors) {
     if (anchor.state == state && anchor.file) {
-      parts.journal->add({undo::checkpointFileName(state)});
+      parts.journal->remove(undo::checkpointFileName(state));
     }
   }
   std::erase_if(parts.anchors, [&](const Anchor& anchor) { return anchor.state == state; });
@@ -113,6 +120,7 @@ void History<Side>::State::dropAnchor(StepNumber state) {
 template <int Side>
 void History<Side>::State::forget(StepNumber step) {
   letGo(cache.erase(step));
+  pictures.erase(step);
   const auto inMemory = packed.find(step);
   if (inMemory == packed.end()) return;
   packedBytes -= inMemory->second.size();

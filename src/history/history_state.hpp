@@ -16,6 +16,7 @@ struct History<Side>::State {
   undo::DeltaCache<Side> cache;
   std::map<StepNumber, Bytes> packed;  // undo-files in memory, where there is no folder
   std::size_t packedBytes = 0;
+  std::map<StepNumber, Bytes> pictures;  // where nothing is written
   std::mt19937_64 random{std::random_device{}()};
 
   bool checkpointRunning = false;
@@ -41,6 +42,7 @@ struct History<Side>::State {
   bool anchoredWithout(StepNumber state) const;
   void dropStep(StepNumber number);
   void dropAnchor(StepNumber state);
+  void removeStep(const std::string& undoFile);
   void forget(StepNumber step);
   void letGo(DeltaPointer delta);
   void shrinkMemory();

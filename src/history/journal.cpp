@@ -19,6 +19,7 @@ std::string numbered(StepNumber number, const char* ending) {
 
 std::string stepFileName(StepNumber step) { return numbered(step, kStepEnding); }
 std::string checkpointFileName(StepNumber state) { return numbered(state, kCheckpointEnding); }
+std::string pictureFileName(StepNumber step) { return numbered(step, kPictureEnding); }
 
 /// A checkpoint that is being written; the file goes with it unless it was finished.
 template <int Side>
@@ -200,6 +201,16 @@ template <int Side>
 std::uint64_t Journal<Side>::write(RemoveEvent& event) {
   try {
     files_->remove(folder_ / event.name);
+  } catch (const Error&) {
+  }
+  return 0;
+}
+
+// Nothing hangs on a picture.
+template <int Side>
+std::uint64_t Journal<Side>::write(PictureEvent& event) {
+  try {
+    writeFile(folder_ / event.name, event.png, *files_);
   } catch (const Error&) {
   }
   return 0;

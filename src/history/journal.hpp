@@ -20,10 +20,12 @@ namespace bozzetto::undo {
 
 std::string stepFileName(StepNumber step);
 std::string checkpointFileName(StepNumber state);
+std::string pictureFileName(StepNumber step);
 inline constexpr const char* kPlaceFile = "place";
 inline constexpr const char* kLockFile = "lock";
 inline constexpr const char* kStepEnding = ".undo";
 inline constexpr const char* kCheckpointEnding = ".checkpoint";
+inline constexpr const char* kPictureEnding = ".png";
 
 template <int Side>
 class Journal {
@@ -44,6 +46,10 @@ class Journal {
   };
   struct RemoveEvent {
     std::string name;
+  };
+  struct PictureEvent {
+    std::string name;
+    Bytes png;
   };
   /// Of all events before it.
   struct CheckpointEvent {
@@ -74,7 +80,8 @@ class Journal {
 
   void add(StepEvent event) { queue(std::move(event)); }
   void add(MoveEvent event) { queue(std::move(event)); }
-  void add(RemoveEvent event) { queue(std::move(event)); }
+  void remove(std::string name) { queue(RemoveEvent{std::move(name)}); }
+  void add(PictureEvent event) { queue(std::move(event)); }
   void add(CheckpointEvent event) { queue(std::move(event)); }
   /// Lets go of blocks on the writer's thread.
   void release(DeltaPointer delta);
@@ -88,7 +95,7 @@ class Journal {
   News news();
 
  private:
-  using Event = std::variant<StepEvent, MoveEvent, RemoveEvent, CheckpointEvent>;
+  using Event = std::variant<StepEvent, MoveEvent, RemoveEvent, PictureEvent, CheckpointEvent>;
   struct Running;
 
   void queue(Event event);
@@ -97,6 +104,7 @@ class Journal {
   std::uint64_t write(StepEvent& event);
   std::uint64_t write(MoveEvent& event);
   std::uint64_t write(RemoveEvent& event);
+  std::uint64_t write(PictureEvent& event);
   std::uint64_t write(CheckpointEvent& event);
   void continueCheckpoint();
   void endCheckpoint();

@@ -1,4 +1,4 @@
-// scene, fill, resample in JSON.
+// scene, fill, import, resample in JSON.
 #include "sculptor/operation_format.hpp"
 
 namespace bozzetto {
@@ -34,6 +34,23 @@ Json writeFill(const FillOperation& fill) {
           {"colour", toText(p.colour)}};
 }
 
+ImportOperation readImport(JsonObject& object) {
+  ImportOperation import;
+  import.from = object.text("from");
+  import.cells = object.number("cells", import.cells);
+  if (import.cells <= 0) object.fail("cells", "a number above 0");
+  if (object.has("spacing")) import.spacing = object.number("spacing");
+  if (import.spacing && *import.spacing <= 0) object.fail("spacing", "a number above 0");
+  import.colour = readColour(object);
+  return import;
+}
+
+Json writeImport(const ImportOperation& import) {
+  Json json{{"from", import.from}, {"cells", import.cells}, {"colour", toText(import.colour)}};
+  if (import.spacing) json["spacing"] = *import.spacing;
+  return json;
+}
+
 ResampleOperation readResample(JsonObject& object) {
   const double spacing = object.number("spacing");
   if (spacing <= 0) object.fail("spacing", "a number above 0");
@@ -47,6 +64,7 @@ Json writeResample(const ResampleOperation& resample) { return {{"spacing", resa
 std::span<const OperationFormat> sceneFormats() {
   static constexpr OperationFormat kFormats[] = {formatOf<readScene, writeScene>("scene"),
                                                  formatOf<readFill, writeFill>("fill"),
+                                                 formatOf<readImport, writeImport>("import"),
                                                  formatOf<readResample, writeResample>("resample")};
   return kFormats;
 }

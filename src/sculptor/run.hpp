@@ -18,6 +18,8 @@ void run(const SceneOperation& operation, Workbench<Side>& bench, const Telling&
 template <int Side>
 void run(const FillOperation& operation, Workbench<Side>& bench, const Telling& telling);
 template <int Side>
+void run(const ImportOperation& operation, Workbench<Side>& bench, const Telling& telling);
+template <int Side>
 void run(const ResampleOperation& operation, Workbench<Side>& bench, const Telling& telling);
 template <int Side>
 void run(const ToolOperation& operation, Workbench<Side>& bench, const Telling& telling);

@@ -1,20 +1,37 @@
-// scene, fill, resample.
+// scene, fill, import, resample.
 #include <fmt/format.h>
 
 #include "bozzetto/field/resample.hpp"
+#include "bozzetto/io/mesh_file.hpp"
+#include "bozzetto/io/voxelise.hpp"
 #include "sculptor/dab_counts.hpp"
 #include "sculptor/run.hpp"
 #include "sculptor/timer.hpp"
 
 namespace bozzetto {
+namespace {
+
+template <int Side>
+bool begun(const Workbench<Side>& bench) {
+  return !bench.field().tree.empty() || bench.history().tree().size() > 0;
+}
+
+// Puts other clay in the place of all there is.
+template <int Side>
+void replaceAll(Edit<CornerBlock<Side>>& edit, const KeyTree<CornerBlock<Side>>& old,
+                const KeyTree<CornerBlock<Side>>& clay) {
+  for (const auto& [key, run] : old) edit.replace({key, run.length}, nullptr);
+  for (const auto& [key, run] : clay) edit.replace({key, run.length}, run.block);
+}
+
+}  // namespace
 
 template <int Side>
 void run(const SceneOperation& operation, Workbench<Side>& bench, const Telling&) {
   FieldScale scale = bench.field().scale;
   if (operation.spacing) scale.spacing = *operation.spacing;
   if (operation.iso) scale.iso = static_cast<float>(*operation.iso);
-  const bool begun = !bench.field().tree.empty() || bench.history().tree().size() > 0;
-  if (begun && !(scale == bench.field().scale)) {
+  if (begun(bench) && !(scale == bench.field().scale)) {
     throw Error(fmt::format(
         "scene: the clay has spacing {} and iso {}; spacing {} and iso {} need an empty document "
         "(use resample)",
@@ -35,17 +52,29 @@ void run(const FillOperation& operation, Workbench<Side>& bench, const Telling& 
   bench.keep(edit, telling.report);
 }
 
-namespace {
-
-// Puts other clay in the place of all there is.
 template <int Side>
-void replaceAll(Edit<CornerBlock<Side>>& edit, const KeyTree<CornerBlock<Side>>& old,
-                const KeyTree<CornerBlock<Side>>& clay) {
-  for (const auto& [key, run] : old) edit.replace({key, run.length}, nullptr);
-  for (const auto& [key, run] : clay) edit.replace({key, run.length}, run.block);
+void run(const ImportOperation& operation, Workbench<Side>& bench, const Telling& telling) {
+  if (begun(bench)) throw Error("import: an empty document expected (use combine)");
+  ImportOptions options;
+  options.cells = operation.cells;
+  options.colour = operation.colour;
+  Clay clay{{}, bench.field().scale};
+  Edit<CornerBlock<Side>> edit(bench.tree());
+  {
+    const Timer timer(telling.report.msField);
+    const auto mesh = readMesh(bench.tools.folder / operation.from, telling.progress);
+    options.spacing = operation.spacing.value_or(importSpacing(mesh, options));
+    clay.scale.spacing = options.spacing;
+    Edit<CornerBlock<8>> imported(clay.tree);
+    const ImportReport report = voxelise(mesh, options, imported, telling.progress);
+    imported.commit();
+    if (report.openEdges > 0) {
+      telling.progress.note(fmt::format("{} open edges were closed", report.openEdges));
+    }
+    replaceAll<Side>(edit, {}, withSide<Side>(clay).tree);
+  }
+  bench.keep(edit, clay.scale, telling.report);
 }
-
-}  // namespace
 
 template <int Side>
 void run(const ResampleOperation& operation, Workbench<Side>& bench, const Telling& telling) {
@@ -67,6 +96,7 @@ void run(const ResampleOperation& operation, Workbench<Side>& bench, const Telli
 
 BOZZETTO_RUNS(SceneOperation);
 BOZZETTO_RUNS(FillOperation);
+BOZZETTO_RUNS(ImportOperation);
 BOZZETTO_RUNS(ResampleOperation);
 
 }  // namespace bozzetto

@@ -148,6 +148,19 @@ Session Session::create(const fs::path& scene, const SessionOptions& options) {
   return {path, Opened{std::move(opened), std::move(parts), SceneFile(files)}, options};
 }
 
+Session Session::inMemory(const SessionOptions& options) {
+  OpenedHistory<8> opened;
+  opened.history = History<8>(options.limits);
+  Session session({}, Opened{std::move(opened), {}, SceneFile(*options.files)}, options);
+  session.named_ = false;
+  return session;
+}
+
+void Session::discardLeftBehind(const fs::path& scene, FileSystem& files) {
+  const fs::path folder = historyFolderOf(scene);
+  if (livesInStateFolder(scene) && !historyIsLocked(folder, files)) removeHistory(folder, files);
+}
+
 std::vector<fs::path> Session::leftBehind(FileSystem& files) {
   std::vector<fs::path> scenes;
   std::vector<std::string> names;
@@ -188,11 +201,15 @@ void Session::markSaved(const Document& document) {
   sculptor_.history().markSaved(takePlace(savedParts_));
 }
 
-SaveReport Session::save(Progress& progress) {
+void Session::requireSavable() const {
   if (!named_) throw Error("the document has no name yet");
   if (findings_.readOnly) {
     throw Error(path_.string() + ": open elsewhere or not writable; save under another name");
   }
+}
+
+SaveReport Session::save(Progress& progress) {
+  requireSavable();
   const Document now = document();
   const SaveReport report = file_.save(path_, now, progress);
   markSaved(now);
@@ -202,15 +219,33 @@ SaveReport Session::save(Progress& progress) {
 SaveReport Session::saveAs(const fs::path& scene, Progress& progress) {
   const Document now = document();
   const SaveReport report = file_.save(scene, now, progress);
+  goOnAs(scene, now);
+  return report;
+}
+
+void Session::goOnAs(const fs::path& scene, const Document& document) {
   const fs::path old = path_;
   const bool wasNamed = named_;
   path_ = scene;
   named_ = true;
+  if (old != scene) bringHistoryTo(historyFolderOf(scene), document);
   findings_.readOnly = false;
-  if (old != scene) bringHistoryTo(historyFolderOf(scene), now);
-  markSaved(now);
-  if (!wasNamed) removeHistory(historyFolderOf(old), *options_.files);
-  return report;
+  markSaved(document);
+  if (!wasNamed && !old.empty()) removeHistory(historyFolderOf(old), *options_.files);
+}
+
+void Session::discard(Session session) {
+  if (session.findings_.readOnly || session.saved()) return;
+  FileSystem& files = *session.options_.files;
+  const fs::path folder = session.sculptor_.history().folder();
+  const bool hasFile = session.named_ && files.info(session.path_).has_value();
+  if (hasFile) {
+    const auto saved = session.sculptor_.history().savedState();
+    if (saved) session.sculptor_.apply(GoToOperation{*saved});
+    return;
+  }
+  { const Session ended = std::move(session); }
+  if (!folder.empty()) removeHistory(folder, files);
 }
 
 // Copies the undo-files and goes on writing there.

@@ -32,10 +32,11 @@ TEST(Recording, everyOperationSurvivesTheRoundTrip) {
       R"("mirror_at":[1,0,0],"radial":{"axis":"z","count":6},"pressure":["strength","size"]}
 {"op":"undo","count":3}
 {"op":"redo"}
+{"op":"import","from":"bust.ply","cells":64,"spacing":0.5,"colour":"#010203"}
 {"op":"resample","spacing":0.25}
 )";
   const Recording recording = parseRecording(text, "r");
-  ASSERT_EQ(recording.operations.size(), 8u);
+  ASSERT_EQ(recording.operations.size(), 9u);
   const std::string again = toText(recording);
   EXPECT_EQ(toText(parseRecording(again, "again")), again);
   const auto& stroke = std::get<StrokeOperation>(recording.operations[4]).stroke;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "bozzetto/history/copy.hpp"
 #include "support/folder.hpp"
 
 namespace bozzetto {
@@ -186,6 +187,118 @@ TEST_F(Sessions, theShelfIsTheSculptors) {
   take.shape.shape = Shape::freeform;
   take.source.emplace().from = "shelf:ball";
   EXPECT_NO_THROW(session.sculptor().apply(take));
+}
+
+TEST_F(Sessions, aPictureMayComeLater) {
+  const Bytes picture(10, std::byte{7});
+  {
+    Session session = Session::create(scene_);
+    session.sculptor().apply(fillAt(0));
+    session.sculptor().apply(fillAt(40));
+    session.sculptor().history().setThumbnail(1, picture);
+    session.sculptor().history().setThumbnail(9, picture);
+    session.save();
+  }
+  Session session = Session::open(scene_);
+  EXPECT_TRUE(session.findings().notices.empty());
+  EXPECT_EQ(session.sculptor().history().thumbnail(1), picture);
+  EXPECT_TRUE(session.sculptor().history().thumbnail(2).empty());
+  EXPECT_TRUE(session.sculptor().history().thumbnail(9).empty()) << "no such step";
+  session.saveAs(folder_ / "satyr.bzt");
+  EXPECT_EQ(session.sculptor().history().thumbnail(1), picture);
+}
+
+TEST_F(Sessions, picturesAreForgottenWithTheirSteps) {
+  SessionOptions options;
+  options.limits.steps = 3;
+  Session session = Session::create(scene_, options);
+  for (int n = 0; n < 8; ++n) {
+    session.sculptor().apply(fillAt(4 * n));
+    session.sculptor().history().setThumbnail(StepNumber(n + 1), Bytes(10, std::byte{1}));
+    session.save();
+  }
+  session.sculptor().history().waitDurable();
+  int pictures = 0;
+  for (const auto& entry : fs::directory_iterator(historyFolderOf(scene_)))
+    pictures += entry.path().extension() == ".png";
+  EXPECT_LE(pictures, 4);
+  EXPECT_GE(pictures, 2);
+}
+
+TEST_F(Sessions, aGlanceTellsOfWhatWasLeftBehind) {
+  {
+    Session session = Session::create({});
+    session.sculptor().apply(fillAt(0));
+    session.sculptor().apply(fillAt(40));
+    session.sculptor().history().setThumbnail(1, Bytes(10, std::byte{5}));
+  }
+  const auto left = Session::leftBehind();
+  ASSERT_EQ(left.size(), 1u);
+  const auto glance = glanceAt(historyFolderOf(left[0]));
+  ASSERT_TRUE(glance.has_value());
+  EXPECT_EQ(glance->steps, 2u);
+  EXPECT_GT(glance->time, 1'700'000'000'000);
+  EXPECT_EQ(glance->thumbnail, Bytes(10, std::byte{5}));
+  Session::discardLeftBehind(left[0]);
+  EXPECT_TRUE(Session::leftBehind().empty());
+}
+
+TEST_F(Sessions, discardingGoesBackToTheFile) {
+  std::uint64_t hash = 0;
+  {
+    Session session = Session::create(scene_);
+    session.sculptor().apply(fillAt(0));
+    session.save();
+    hash = hashOf(session);
+    session.sculptor().apply(fillAt(40));
+    Session::discard(std::move(session));
+  }
+  Session session = Session::open(scene_);
+  EXPECT_FALSE(session.findings().recovered);
+  EXPECT_EQ(hashOf(session), hash);
+  EXPECT_EQ(session.sculptor().history().redoDepth(), 1u) << "and yet nothing is lost";
+}
+
+TEST_F(Sessions, discardingWithoutAFileLeavesNothing) {
+  for (const fs::path& name : {fs::path(), scene_}) {
+    Session session = Session::create(name);
+    session.sculptor().apply(fillAt(0));
+    Session::discard(std::move(session));
+    EXPECT_TRUE(Session::leftBehind().empty());
+    EXPECT_FALSE(fs::exists(historyFolderOf(scene_)));
+  }
+}
+
+TEST_F(Sessions, withoutAPlaceItLivesInMemoryUntilItIsSaved) {
+  Session session = Session::inMemory();
+  EXPECT_TRUE(session.saved());
+  session.sculptor().apply(fillAt(0));
+  EXPECT_FALSE(session.saved());
+  EXPECT_THROW(session.save(), Error);
+  session.saveAs(scene_);
+  EXPECT_TRUE(session.saved());
+  session.sculptor().apply(fillAt(40));
+  session.sculptor().history().waitDurable();
+  EXPECT_EQ(hashOf(Session::look(scene_)), hashOf(session));
+}
+
+TEST_F(Sessions, anImportIsAStep) {
+  std::ofstream(folder_ / "box.off") << "OFF\n8 6 0\n0 0 0\n9 0 0\n9 9 0\n0 9 0\n0 0 9\n"
+                                        "9 0 9\n9 9 9\n0 9 9\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n"
+                                        "4 2 3 7 6\n4 1 2 6 5\n4 0 4 7 3\n";
+  Session session = Session::create(scene_);
+  Sculptor& sculptor = session.sculptor();
+  sculptor.tools().folder = folder_.path();
+  const auto import = R"({"op":"import","from":"box.off","cells":18})";
+  sculptor.apply(parseOperation(import, ""));
+  EXPECT_DOUBLE_EQ(sculptor.field().scale.spacing, 0.5);
+  EXPECT_NEAR(statistics(sculptor.field()).mass, 729, 10);
+  EXPECT_THROW(sculptor.apply(parseOperation(import, "")), Error) << "clay is there";
+  sculptor.apply(UndoOperation{});
+  EXPECT_TRUE(sculptor.field().tree.empty());
+  EXPECT_DOUBLE_EQ(sculptor.field().scale.spacing, 1);
+  sculptor.apply(RedoOperation{});
+  EXPECT_DOUBLE_EQ(sculptor.field().scale.spacing, 0.5);
 }
 
 TEST_F(Sessions, jumpsGoToAnyBranch) {

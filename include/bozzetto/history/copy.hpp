@@ -29,6 +29,17 @@ std::optional<std::int64_t> lastChangeOf(const std::filesystem::path& folder,
 /// Removes a folder that holds a history and nothing else. What cannot be removed stays.
 void removeHistory(const std::filesystem::path& folder, FileSystem& files = FileSystem::real());
 
+/// What the heads of a folder's files tell, without the clay.
+struct HistoryGlance {
+  std::size_t steps = 0;
+  std::int64_t time = 0;  ///< of the last step; milliseconds since 1970
+  Bytes thumbnail;        ///< PNG of the last step that has one beside it; empty without
+};
+
+/// O(undo-files). Damaged files are passed over; nothing where there is no history.
+std::optional<HistoryGlance> glanceAt(const std::filesystem::path& folder,
+                                      FileSystem& files = FileSystem::real());
+
 /// Whether somebody writes there now.
 bool historyIsLocked(const std::filesystem::path& folder, FileSystem& files = FileSystem::real());
 

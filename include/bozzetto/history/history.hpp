@@ -53,6 +53,9 @@ class History {
   std::vector<Step> steps() const;
   /// A step's picture, or nothing.
   Bytes thumbnail(StepNumber step) const;
+  /// A picture that was made when there was time, after the step. It lies beside the undo-file and
+  /// may be lost where that may not; unknown steps have none.
+  void setThumbnail(StepNumber step, Bytes png);
 
   /// What a walk through the tree did.
   struct Journey {
@@ -81,8 +84,10 @@ class History {
   HistoryPlace savePlace() const;
   /// The document on the disk holds this place now: recovery can start from it.
   void markSaved(const HistoryPlace& place);
+  /// The state that the document on the disk has, where it can still be reached.
+  std::optional<StepNumber> savedState() const;
   /// Whether we are where the document on the disk is.
-  bool atSaved() const;
+  bool atSaved() const { return savedState() == place(); }
   /// Counts steps and moves.
   std::uint64_t moment() const;
   /// All up to this moment is on the disk, synced. In memory: 0.

@@ -28,6 +28,14 @@ struct FillOperation {
   Primitive primitive;
 };
 
+/// A mesh becomes clay, with a grid to its measure. Into an empty document only.
+struct ImportOperation {
+  std::string from;                 ///< relative to the recording's folder
+  double cells = 128;               ///< along its longest side
+  std::optional<double> spacing{};  ///< instead of that
+  Colour colour;                    ///< where the mesh has none
+};
+
 /// The tool that strokes use from now on.
 struct ToolOperation {
   ToolShape shape;
@@ -66,16 +74,16 @@ struct ResampleOperation {
 };
 
 using Operation = std::variant<
-    SceneOperation, FillOperation, ToolOperation, ActionOperation, StrokeOperation, UndoOperation,
-    RedoOperation, GoToOperation, ResampleOperation, SolidOperation, SolidMoveOperation,
-    BakeOperation, WrapOperation, WrapApplyOperation, SolidDropOperation, ClayOperation,
-    RelaxOperation, SupportOperation, HoldOperation, ReleaseOperation, SolidFromClayOperation,
-    SolidCarveOperation, SolidExtrudeOperation, SolidJoinOperation, SolidSubdivideOperation,
-    SolidSharpOperation, SolidPullOperation, SolidRunOperation, SolidSplineOperation,
-    SolidPaintOperation, SolidInflateOperation, SolidTrimOperation, SolidWindowOperation,
-    SolidRestOperation, SolidSettingsOperation, SolidProbeOperation, CombineOperation, CutOperation,
-    TextOperation, ShelfKeepOperation, ShelfRenameOperation, ShelfDropOperation,
-    SupportMoveOperation, SupportDropOperation>;
+    SceneOperation, FillOperation, ImportOperation, ToolOperation, ActionOperation, StrokeOperation,
+    UndoOperation, RedoOperation, GoToOperation, ResampleOperation, SolidOperation,
+    SolidMoveOperation, BakeOperation, WrapOperation, WrapApplyOperation, SolidDropOperation,
+    ClayOperation, RelaxOperation, SupportOperation, HoldOperation, ReleaseOperation,
+    SolidFromClayOperation, SolidCarveOperation, SolidExtrudeOperation, SolidJoinOperation,
+    SolidSubdivideOperation, SolidSharpOperation, SolidPullOperation, SolidRunOperation,
+    SolidSplineOperation, SolidPaintOperation, SolidInflateOperation, SolidTrimOperation,
+    SolidWindowOperation, SolidRestOperation, SolidSettingsOperation, SolidProbeOperation,
+    CombineOperation, CutOperation, TextOperation, ShelfKeepOperation, ShelfRenameOperation,
+    ShelfDropOperation, SupportMoveOperation, SupportDropOperation>;
 
 /// The "op" of an operation: "scene", "fill", …
 std::string_view nameOf(const Operation& operation);

@@ -47,8 +47,15 @@ class Session {
   /// in the user's state folder ($XDG_STATE_HOME/bozzetto) until it gets one.
   static Session create(const std::filesystem::path& scene, const SessionOptions& options = {});
 
+  /// A new document of which nothing is on the disk before it is saved: where there is no place
+  /// for it.
+  static Session inMemory(const SessionOptions& options = {});
+
   /// Documents without a name that were not saved when their program ended: for `open`.
   static std::vector<std::filesystem::path> leftBehind(FileSystem& files = FileSystem::real());
+  /// One of these goes for good, unless somebody has it open.
+  static void discardLeftBehind(const std::filesystem::path& scene,
+                                FileSystem& files = FileSystem::real());
 
   const SessionFindings& findings() const { return findings_; }
   /// Empty: no name yet.
@@ -64,12 +71,19 @@ class Session {
   Document document() const;
   /// Whether the file holds what we have, clay and parts.
   bool saved() const;
+  /// Throws Error, for people, where `save` would refuse: no name, or open elsewhere.
+  void requireSavable() const;
   /// Into the document's own file. Throws Error; the old file stays whole then.
   SaveReport save(Progress& progress = Progress::none());
   /// Under another name, where we go on; the history comes along, and stays with the old name too.
   SaveReport saveAs(const std::filesystem::path& scene, Progress& progress = Progress::none());
   /// For saves that somebody else makes of `document()`, in the background: they have succeeded.
   void markSaved(const Document& document);
+  /// The same for a save under another name, where we go on then.
+  void goOnAs(const std::filesystem::path& scene, const Document& document);
+  /// The user wants none of what was not saved. Where there is a file the clay goes back to it, as
+  /// a step of history like any other; otherwise the session ends, and nothing is left of it.
+  static void discard(Session session);
 
   SceneFile& file() { return file_; }
 
