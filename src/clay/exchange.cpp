@@ -90,8 +90,11 @@ void load(Region& region, const Edit<CornerBlock<Side>>& edit) {
   std::optional<Attributes> first;
   bool colourful = false;
   forBlockRows<Side>(region, edit, [&](const BlockRow<Side>& row) {
+    region.touch(row.cell);
+    const bool inRim = region.inRim(region.key(row.cell));
     for (int k = 0; k < Side; ++k) {
       const std::size_t cell = row.cell + k;
+      region.clayInRim = region.clayInRim || (inRim && row.value[k] > kThin);
       region.value[cell] = quantised(row.value[k]);
       region.hold[cell] = std::max(region.hold[cell], holdOf(row.attributes[k]));
       if (row.value[k] <= 0) continue;
@@ -111,11 +114,11 @@ void load(Region& region, const Edit<CornerBlock<Side>>& edit) {
 }
 
 template <int Side>
-std::vector<KeyRun> store(const Region& region, Edit<CornerBlock<Side>>& edit) {
+std::vector<KeyRun> store(Region& region, Edit<CornerBlock<Side>>& edit) {
   using Geometry = BlockGeometry<Side>;
   std::vector<KeyRun> changed;
   const CellWriter writer{region};
-  for (const Key tile : region.visitedTiles()) {
+  for (const Key tile : region.takeChanged()) {
     const Key low = Geometry::blockOf(tile), high = Geometry::blockOf(tile + Key{7, 7, 7});
     for (std::int32_t i = low.i; i <= high.i; ++i)
       for (std::int32_t j = low.j; j <= high.j; ++j)
@@ -129,7 +132,7 @@ std::vector<KeyRun> store(const Region& region, Edit<CornerBlock<Side>>& edit) {
 
 template void load<1>(Region&, const Edit<CornerBlock<1>>&);
 template void load<8>(Region&, const Edit<CornerBlock<8>>&);
-template std::vector<KeyRun> store<1>(const Region&, Edit<CornerBlock<1>>&);
-template std::vector<KeyRun> store<8>(const Region&, Edit<CornerBlock<8>>&);
+template std::vector<KeyRun> store<1>(Region&, Edit<CornerBlock<1>>&);
+template std::vector<KeyRun> store<8>(Region&, Edit<CornerBlock<8>>&);
 
 }  // namespace bozzetto::clay

@@ -12,6 +12,6 @@ void load(Region& region, const Edit<CornerBlock<Side>>& edit);
 
 /// Writes what differs; returns the keys of blocks that changed, in key order.
 template <int Side>
-std::vector<KeyRun> store(const Region& region, Edit<CornerBlock<Side>>& edit);
+std::vector<KeyRun> store(Region& region, Edit<CornerBlock<Side>>& edit);
 
 }  // namespace bozzetto::clay

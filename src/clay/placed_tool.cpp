@@ -74,6 +74,7 @@ void CoverPainter::paintStatic(Region& region, const std::vector<PlacedTool>& su
   for (const PlacedTool& tool : supports) paint(region, tool, kStatic);
   staticCells_ = region.covered.size();
   before_.clear();
+  if (!region.clayInRim) return;
   // Clay that goes on beyond the region is held there.
   forTiles(region.inner(), [&](Key tile) {
     const KeyBox inner = region.inner();

@@ -222,17 +222,37 @@ void subtractGradient(Region& region) {
   });
 }
 
-// Eight faces at a time: most are known, or in air.
-bool nothingToLearn(const Region& region, const Cells<std::uint8_t>& known, std::size_t n,
-                    std::size_t axis) {
-  std::uint64_t marks;
-  std::memcpy(&marks, &known[n], 8);
-  const std::uint64_t wanted = 0x0101010101010101u << axis;
-  if ((marks & wanted) == wanted) return true;
+struct UnknownRow {
+  const float *value, *next;
+  const std::uint8_t *type, *nextType, *known, *learnt;
+  int count;
+  std::uint8_t bit;
+};
+
+// Faces of matter that nobody knows the motion of yet.
+BOZZETTO_KERNEL void unknownKernel(const UnknownRow& row, std::uint8_t* __restrict unknown) {
+  for (int n = 0; n < row.count; ++n) {
+    const int matter = row.value[n] + row.next[n] > 0 ? 1 : 0;
+    const int known = ((row.known[n] | row.learnt[n]) & row.bit) != 0 ? 1 : 0;
+    const int closed = (row.type[n] == kClosed ? 1 : 0) | (row.nextType[n] == kClosed ? 1 : 0);
+    unknown[n] = static_cast<std::uint8_t>(matter & (1 - known) & (1 - closed));
+  }
+}
+
+BOZZETTO_SIMD_DISPATCH(void, unknownRow, unknownKernel,
+                       (const UnknownRow& row, std::uint8_t* unknown), (row, unknown))
+
+// The mean of the known faces round this one.
+void learnFace(Region& region, std::size_t axis, std::size_t n, const Cells<std::uint8_t>& known,
+               Cells<std::uint8_t>& learnt) {
+  const auto bit = static_cast<std::uint8_t>(1 << axis);
   float sum = 0;
-  for (std::size_t k = n; k < n + 8; ++k)
-    sum += region.value[k] + region.value[k + region.strides()[axis]];
-  return sum <= 0;
+  int count = 0;
+  for (const std::ptrdiff_t next : region.neighbours())
+    if ((known[n + next] & bit) != 0) sum += region.face[axis][n + next], ++count;
+  if (count == 0) return;
+  region.face[axis][n] = sum / static_cast<float>(count);
+  learnt[n] |= bit;
 }
 
 // Thin matter outside the clay moves with the faces next to it.
@@ -241,21 +261,19 @@ void extrapolate(Region& region, std::size_t axis, const Cells<std::uint8_t>& kn
   const std::ptrdiff_t step = region.strides()[axis];
   const auto bit = static_cast<std::uint8_t>(1 << axis);
   forRows(region.bandRows(), [&](const Row& row) {
-    for (std::size_t n = row.base; n < row.base + row.count; ++n) {
-      if ((n - row.base) % 8 == 0 && nothingToLearn(region, known, n, axis)) {
-        n += 7;
-        continue;
+    std::uint8_t unknown[kPiece];
+    for (std::int32_t at = 0; at < row.count; at += kPiece) {
+      const std::size_t n = row.base + at;
+      const int count = std::min(kPiece, row.count - at);
+      unknownRow({&region.value[n], &region.value[n + step], &region.type[n],
+                  &region.type[n + step], &known[n], &learnt[n], count, bit},
+                 unknown);
+      for (int group = 0; group < count; group += Region::kTile) {
+        std::uint64_t any;
+        std::memcpy(&any, &unknown[group], sizeof any);
+        for (int k = group; any != 0 && k < group + Region::kTile; ++k)
+          if (unknown[k] != 0) learnFace(region, axis, n + k, known, learnt);
       }
-      if (((known[n] | learnt[n]) & bit) != 0) continue;
-      if (region.value[n] + region.value[n + step] <= 0) continue;
-      if (region.type[n] == kClosed || region.type[n + step] == kClosed) continue;
-      float sum = 0;
-      int count = 0;
-      for (const std::ptrdiff_t next : region.neighbours())
-        if ((known[n + next] & bit) != 0) sum += region.face[axis][n + next], ++count;
-      if (count == 0) continue;
-      region.face[axis][n] = sum / static_cast<float>(count);
-      learnt[n] |= bit;
     }
   });
 }

@@ -11,10 +11,10 @@ enum Flag : std::uint16_t {
   kHasClay = 1,
   kDense = 2,
   kListed = 4,
-  kVisited = 8,
-  kAtRim = 16,
-  kSolid = 32,
-  kTouched = 64,
+  kAtRim = 8,
+  kSolid = 16,
+  kTouched = 32,
+  kChanged = 64,
   kTooled = 128,
   kDeep = 256,
 };
@@ -48,6 +48,7 @@ Region::Region(const KeyBox& box) : box_(box) {
   for (Cells<std::uint8_t>* cells : {&hold, &owner, &type, &mark, &mark2})
     *cells = Cells<std::uint8_t>(count);
   flags_.assign(static_cast<std::size_t>(tiles_.i) * tiles_.j * tiles_.k, 0);
+  countOf_.assign(flags_.size(), 0);
   for (std::int32_t i = 0; i < tiles_.i; ++i)
     for (std::int32_t j = 0; j < tiles_.j; ++j)
       for (std::int32_t k = 0; k < tiles_.k; ++k)
@@ -174,22 +175,22 @@ void Region::clear(std::size_t tile) {
   });
 }
 
-void Region::refreshRows(bool everywhere) {
-  countOf_.resize(flags_.size());
-  if (everywhere) {
-    listed_.clear();
-    for (std::size_t n = 0; n < flags_.size(); ++n)
-      if ((flags_[n] & kAtRim) == 0) listed_.push_back(static_cast<std::uint32_t>(n));
-  }
-  for (const std::uint32_t tile : touched_)
-    if ((flags_[tile] & kListed) == 0) listed_.push_back(tile);
-  const auto& changed = everywhere || touchedRows_ ? listed_ : touched_;
-  parallelFor(changed.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) lookAt(changed[n]);
-  });
-  if (!changed.empty()) list();
-  touched_.clear();
+void Region::refreshRows() {
+  if (touchedRows_)
+    for (const std::uint32_t tile : listed_)
+      if ((flags_[tile] & kTouched) == 0) touched_.push_back(tile);
   touchedRows_ = false;
+  if (touched_.empty()) return;
+  parallelFor(touched_.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) lookAt(touched_[n]);
+  });
+  for (const std::uint32_t tile : touched_) {
+    if ((flags_[tile] & kListed) == 0) listed_.push_back(tile);
+    if ((flags_[tile] & kChanged) == 0) changed_.push_back(tile);
+    flags_[tile] |= kChanged;
+  }
+  touched_.clear();
+  list();
 }
 
 // Marks tiles with clay and their neighbours, clears those that are left, lists rows.
@@ -205,13 +206,13 @@ void Region::list() {
     for (const std::uint32_t other : around(tile)) {
       reachesRim_ = reachesRim_ || (flags_[other] & kAtRim) != 0;
       if ((flags_[other] & (kAtRim | kListed)) != 0) continue;
-      flags_[other] |= kListed | kVisited;
+      flags_[other] |= kListed;
       listed_.push_back(other);
     }
   }
   std::sort(listed_.begin(), listed_.end());
   for (const std::uint32_t tile : before_)
-    if ((flags_[tile] & (kListed | kVisited)) == kVisited) clear(tile);
+    if ((flags_[tile] & kListed) == 0) clear(tile);
   listRows({kListed, kListed}, rows_);
   listTiles({kListed | kDense, kListed | kDense}, denseTiles_);
   listRows(denseTiles_, denseRows_);
@@ -267,14 +268,16 @@ void Region::listRows(Selection which, std::vector<Row>& rows) {
   listRows(runs_, rows);
 }
 
-std::vector<Key> Region::visitedTiles() const {
+std::vector<Key> Region::takeChanged() {
+  std::sort(changed_.begin(), changed_.end());
   std::vector<Key> keys;
-  for (std::size_t tile = 0; tile < flags_.size(); ++tile) {
-    if ((flags_[tile] & kVisited) == 0) continue;
+  for (const std::uint32_t tile : changed_) {
+    flags_[tile] &= static_cast<std::uint16_t>(~kChanged);
     const auto n = static_cast<std::int32_t>(tile);
     keys.push_back(box_.low +
                    Key{n / (tiles_.j * tiles_.k), n / tiles_.k % tiles_.j, n % tiles_.k} * kTile);
   }
+  changed_.clear();
   return keys;
 }
 

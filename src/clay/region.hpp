@@ -58,10 +58,10 @@ class Region {
   /// Steps to the six neighbours: +i, −i, +j, −j, +k, −k.
   const std::array<std::ptrdiff_t, 6>& neighbours() const { return neighbours_; }
 
-  /// Looks where clay is now and lists the rows. `everywhere` after loading; later only tiles
-  /// that were listed, and those touched beyond them, are looked at: matter moves less than a tile
-  /// between two calls, or is told by touch().
-  void refreshRows(bool everywhere = false);
+  /// Looks where clay is now and lists the rows: at tiles that were touched or, after touchRows(),
+  /// at all that were listed too; matter moves less than a tile between two calls, or is told by
+  /// touch().
+  void refreshRows();
   /// This cell has changed. Not for several threads at once.
   void touch(std::size_t cell);
   /// Any cell of the rows may have changed.
@@ -84,8 +84,9 @@ class Region {
   bool reachesRim() const { return reachesRim_; }
   std::int64_t clayCells() const { return clayCells_; }
 
-  /// First corners of tiles that were ever listed: what may differ from the tree.
-  std::vector<Key> visitedTiles() const;
+  /// First corners of tiles that may have changed since the last call: what may differ from the
+  /// tree.
+  std::vector<Key> takeChanged();
   bool inRim(Key key) const;
 
   /// Moves matter, and its colour, between two cells. Exact for multiples of 2⁻²⁰.
@@ -104,6 +105,7 @@ class Region {
   Cells<std::uint8_t> hold, owner, type, mark, mark2;
   std::vector<std::uint32_t> covered;  ///< cells that tools cover, static ones first
   std::uint32_t onlyColour = 0;        ///< attributes without hold
+  bool clayInRim = false;              ///< clay goes on beyond the region
   bool wished = false;                 ///< a layer has asked for a displacement not yet carried out
 
  private:
@@ -132,11 +134,11 @@ class Region {
   std::array<std::ptrdiff_t, 3> strides_;
   std::array<std::ptrdiff_t, 6> neighbours_;
   std::vector<std::uint16_t> flags_;
-  std::vector<std::uint32_t> listed_, touched_, before_, tooled_;
+  std::vector<std::uint32_t> listed_, touched_, changed_, before_, tooled_;
   std::vector<std::int32_t> countOf_;
   std::vector<TileRun> denseTiles_, runs_;
   std::vector<Row> rows_, denseRows_, bandRows_, deepRows_;
-  bool touchedRows_ = true, reachesRim_ = false;
+  bool touchedRows_ = false, reachesRim_ = false;
   std::int64_t clayCells_ = 0;
 };
 

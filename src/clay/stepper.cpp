@@ -72,7 +72,8 @@ Stepper::Stepper(const Settings& settings) {
 }
 
 void Stepper::begin(Region& region, const std::vector<PlacedTool>& supports) {
-  region.refreshRows(true);
+  region.refreshRows();
+  region.takeChanged();  // only loaded
   painter_.paintStatic(region, supports);
 }
 

@@ -193,7 +193,7 @@ struct ClayStroke<Side>::State {
 
   Reach reachOf(const KeyBox& tools) const {
     if (!fluid()) return connectedClay<Side>(*edit, tools);
-    const auto margin = static_cast<std::int32_t>(kFluidReach * radius()) + 8;
+    const auto margin = static_cast<std::int32_t>(kFluidReach * radius());
     if (!anyClay<Side>(*edit, tools)) return {};
     return {grown(tools, margin), false};
   }

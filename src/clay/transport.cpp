@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "clay/thinc.hpp"
 
@@ -94,8 +95,8 @@ BOZZETTO_KERNEL void plainFluxKernel(const FluxRow& row) {
     const float density = forward ? v[n] : v[n + along];
     const float other = limited(forward ? -face[n - along] : face[n + along]);
     const float back = other > 0 ? other : 0.0f, size = sizeOf(u);
-    const float part = size + back > 1 ? 1 / (size + back) : 1.0f;
-    const float whole = quantised(density * (size * part) - kQuantum);
+    const float part = size < 1 - back ? size : 1 - back;  // both sides together at most all
+    const float whole = quantised(density * part - kQuantum);
     const float out = whole > 0 ? whole : 0.0f;
     flux[n] = forward ? out : -out;
   }
@@ -123,17 +124,20 @@ enum Way : std::uint8_t { kStill, kPlain, kSharp };
 constexpr int kGroup = 8;
 
 BOZZETTO_KERNEL void waysKernel(const FluxRow& row, std::uint8_t* ways) {
-  const float* v = row.source.v;
+  const float *v = row.source.v, *face = row.face;
   const std::ptrdiff_t along = row.source.along;
-  for (int first = 0; first < row.count; first += kGroup) {
-    std::uint32_t moved = 0;
-    int mixed = 0, any = 0;
-    for (int n = first; n < first + kGroup; ++n) {
-      moved |= std::bit_cast<std::uint32_t>(row.face[n]) << 1;
-      mixed |= (v[n] < kPlainDensity ? 1 : 0) | (v[n + along] < kPlainDensity ? 1 : 0);
-      any |= (v[n] > 0 ? 1 : 0) | (v[n + along] > 0 ? 1 : 0);
-    }
-    ways[first / kGroup] = moved == 0 || any == 0 ? kStill : mixed != 0 ? kSharp : kPlain;
+  std::uint8_t seen[kPiece];
+  for (int n = 0; n < row.count; ++n) {
+    const int moved = face[n] != 0 ? 1 : 0;
+    const int mixed = (v[n] < kPlainDensity ? 1 : 0) | (v[n + along] < kPlainDensity ? 1 : 0);
+    const int any = (v[n] > 0 ? 1 : 0) | (v[n + along] > 0 ? 1 : 0);
+    seen[n] = static_cast<std::uint8_t>((moved & any) | mixed << 1);
+  }
+  for (int group = 0; group * kGroup < row.count; ++group) {
+    std::uint64_t all;
+    std::memcpy(&all, &seen[group * kGroup], sizeof all);
+    const bool moves = (all & 0x0101010101010101u) != 0, mixed = (all & 0x0202020202020202u) != 0;
+    ways[group] = !moves ? kStill : mixed ? kSharp : kPlain;
   }
 }
 

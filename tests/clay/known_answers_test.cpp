@@ -26,8 +26,11 @@ struct Bench {
   void fill(Key low, Key high, float value = 1) {
     for (Key key = low; key.i <= high.i; ++key.i)
       for (key.j = low.j; key.j <= high.j; ++key.j)
-        for (key.k = low.k; key.k <= high.k; ++key.k) at(key) = value;
-    region.refreshRows(true);
+        for (key.k = low.k; key.k <= high.k; ++key.k) {
+          at(key) = value;
+          region.touch(region.index(key));
+        }
+    region.refreshRows();
     region.listBand();
   }
   double mass() const {
