@@ -1,9 +1,11 @@
-// bozzetto history SCENE: the tree of steps; and the document some steps back or forth.
+// bozzetto history SCENE: the tree of steps; what differs between two of them; and the document
+// some steps back or forth.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
+#include "bozzetto/field/difference.hpp"
 #include "bozzetto/sculptor/session.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/subcommands.hpp"
@@ -17,6 +19,7 @@ struct Arguments {
   std::string scene, out;
   bool json = false;
   int undo = -1, redo = -1;
+  std::vector<StepNumber> compare;  // none, or two
 };
 
 std::string timeOf(const Step& step) {
@@ -66,11 +69,77 @@ void saveAnotherState(const Arguments& arguments, Session& session, Progress& pr
   saveScene(arguments.out, asCopy(session.document()), progress);
 }
 
+/// Two states, and what leads from one to the other.
+struct Comparison {
+  FieldScale before, after;
+  FieldDifference found;
+  bool sameGrid() const { return before.spacing == after.spacing; }  ///< else corners say nothing
+  double massDifference() const { return found.massAfter - found.massBefore; }
+};
+
+Comparison comparison(Session& session, const std::vector<StepNumber>& steps) {
+  Sculptor& sculptor = session.sculptor();
+  const Clay before = sculptor.history().fieldAt(steps[0], sculptor.field());
+  const Clay after = sculptor.history().fieldAt(steps[1], sculptor.field());
+  return {before.scale, after.scale, bozzetto::compare(before, after)};
+}
+
+Json boundsOf(const Comparison& compared) {
+  const KeyBox& box = compared.found.bounds;
+  if (box.empty()) return nullptr;
+  const auto pointOf = [&](Key corner) {
+    const double spacing = compared.before.spacing;
+    return Json{corner.i * spacing, corner.j * spacing, corner.k * spacing};
+  };
+  return {{"min", pointOf(box.low)}, {"max", pointOf(box.high)}};
+}
+
+Json jsonOf(const Comparison& compared) {
+  const FieldDifference& found = compared.found;
+  Json json{{"mass_before", found.massBefore},
+            {"mass_after", found.massAfter},
+            {"mass_difference", compared.massDifference()},
+            {"same_grid", compared.sameGrid()}};
+  if (!compared.sameGrid()) return json;
+  json["blocks"] = found.blocks;
+  json["corners"] = found.corners;
+  json["reshaped"] = found.reshaped;
+  json["bounds"] = boundsOf(compared);
+  return json;
+}
+
+void print(const Comparison& compared) {
+  const FieldDifference& found = compared.found;
+  if (!compared.sameGrid()) {
+    fmt::print("other grids: spacing {} and {}\n", compared.before.spacing, compared.after.spacing);
+  } else if (found.corners == 0) {
+    fmt::print("the same clay\n");
+  } else {
+    const Json bounds = boundsOf(compared);
+    fmt::print("{} corners in {} blocks differ, {} of them in density; from {} to {}\n",
+               found.corners, found.blocks, found.reshaped, bounds["min"].dump(),
+               bounds["max"].dump());
+  }
+  fmt::print("mass {} then {}: {:+}\n", found.massBefore, found.massAfter,
+             compared.massDifference());
+}
+
+void compare(const Arguments& arguments, Session& session, ProgressBar& progress) {
+  const Comparison compared = comparison(session, arguments.compare);
+  progress.clear();
+  if (arguments.json) {
+    fmt::print("{}\n", jsonOf(compared).dump());
+  } else {
+    print(compared);
+  }
+}
+
 void run(const Arguments& arguments) {
   ProgressBar progress;
   Session session = Session::look(arguments.scene, {}, progress);
   for (const std::string& notice : session.findings().notices) progress.note(notice);
   if (!arguments.out.empty()) return saveAnotherState(arguments, session, progress);
+  if (!arguments.compare.empty()) return compare(arguments, session, progress);
   progress.clear();
   if (arguments.json) {
     fmt::print("{}\n", jsonOf(session).dump());
@@ -94,6 +163,10 @@ void addHistory(CLI::App& app) {
       ->check(CLI::NonNegativeNumber)
       ->needs(out)
       ->excludes(undo);
+  command->add_option("--compare", arguments->compare, "What leads from one step to another")
+      ->type_name("STEP STEP")
+      ->expected(2)
+      ->excludes(out);
   command->callback([arguments] {
     if (!arguments->out.empty() && arguments->undo < 0 && arguments->redo < 0)
       throw CLI::RequiredError("--undo or --redo");

@@ -90,9 +90,7 @@ std::vector<OperationReport> replayInPlace(const Arguments& arguments, const Rec
     fmt::print("done {}\n", number);
     std::fflush(stdout);
   };
-  session.sculptor().place(decodeSolid(session.parts.solid, arguments.on));
   auto reports = replay(recording, session.sculptor(), progress, tell);
-  session.parts.solid = encodeSolid(session.sculptor().solid());
   session.parts.thumbnail = thumbnailOf(session.sculptor().field());
   session.save(progress);
   return reports;

@@ -1,44 +1,45 @@
-// Deltas held as block pointers, the longest unused first to go.
+// What steps changed, held as block pointers, the longest unused first to go.
 #pragma once
 #include <map>
 #include <memory>
 #include <vector>
 
 #include "bozzetto/history/step.hpp"
+#include "history/step_change.hpp"
 
 namespace bozzetto::undo {
 
 template <int Side>
 class DeltaCache {
  public:
-  using DeltaPointer = std::shared_ptr<const Delta<CornerBlock<Side>>>;
+  using Change = StepChange<Side>;
 
-  void put(StepNumber step, DeltaPointer delta) {
+  void put(StepNumber step, Change change) {
     erase(step);
-    const std::size_t bytes = bytesOf(*delta);
+    const std::size_t bytes = bytesOf(change);
     bytes_ += bytes;
     byUse_[++clock_] = step;
-    held_[step] = {std::move(delta), bytes, clock_};
+    held_[step] = {std::move(change), bytes, clock_};
   }
 
-  /// Null when it is not held.
-  DeltaPointer find(StepNumber step) {
+  /// Nothing when it is not held.
+  Change find(StepNumber step) {
     const auto held = held_.find(step);
-    if (held == held_.end()) return nullptr;
+    if (held == held_.end()) return {};
     byUse_.erase(held->second.used);
     byUse_[held->second.used = ++clock_] = step;
-    return held->second.delta;
+    return held->second.change;
   }
 
-  /// What was held, or null.
-  DeltaPointer erase(StepNumber step) {
+  /// What was held, or nothing.
+  Change erase(StepNumber step) {
     const auto held = held_.find(step);
-    if (held == held_.end()) return nullptr;
-    DeltaPointer delta = std::move(held->second.delta);
+    if (held == held_.end()) return {};
+    Change change = std::move(held->second.change);
     bytes_ -= held->second.bytes;
     byUse_.erase(held->second.used);
     held_.erase(held);
-    return delta;
+    return change;
   }
 
   /// Longest unused first.
@@ -48,12 +49,23 @@ class DeltaCache {
 
  private:
   struct Held {
-    DeltaPointer delta;
+    Change change;
     std::size_t bytes = 0;
     std::uint64_t used = 0;
   };
 
-  // Along a branch the blocks after a step are those before the next: one side counts.
+  // Along a branch what is after a step is before the next: one side counts.
+  static std::size_t bytesOf(const Change& change) {
+    const std::size_t solid =
+        change.before == change.after ? 0 : std::max(bytesOf(change.before), bytesOf(change.after));
+    return bytesOf(*change.clay) + solid;
+  }
+
+  // Points with names, places and velocities; faces and cells are about as much again.
+  static std::size_t bytesOf(const SolidRef& solid) {
+    return solid ? solid->control.points.size() * 200 + sizeof(Solid) : 0;
+  }
+
   static std::size_t bytesOf(const Delta<CornerBlock<Side>>& delta) {
     const auto own = [](const auto& block) { return block && !block->interned ? 1u : 0u; };
     std::size_t before = 0, after = 0;
@@ -62,7 +74,7 @@ class DeltaCache {
       after += own(change.after);
     }
     return std::max(before, after) * sizeof(CornerBlock<Side>) +
-           delta.changes.size() * sizeof(Change<CornerBlock<Side>>);
+           delta.changes.size() * sizeof(delta.changes[0]);
   }
 
   std::map<StepNumber, Held> held_;

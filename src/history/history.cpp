@@ -38,16 +38,18 @@ template <int Side>
 History<Side>::~History() = default;
 
 template <int Side>
-StepNumber History<Side>::push(DeltaPointer delta, StepNote note, Bytes thumbnail) {
+StepNumber History<Side>::push(DeltaPointer delta, StepNote note, SolidRef solid, Bytes thumbnail) {
   State& state = *state_;
   const Step step = state.newStep(*delta, std::move(note));
   state.parts.tree.add(step);
   state.parts.tree.moveTo(step.number);
   state.parts.scale = step.note.after;
-  state.cache.put(step.number, delta);
+  typename State::Change change{std::move(delta), state.parts.solid, solid};
+  state.parts.solid = std::move(solid);
+  state.cache.put(step.number, change);
   if (state.parts.journal) {
     state.parts.journal->add(typename undo::Journal<Side>::StepEvent{
-        state.parts.moment, step, std::move(delta), std::move(thumbnail)});
+        state.parts.moment, step, std::move(change), std::move(thumbnail)});
   }
   state.makeRoom();
   return step.number;
@@ -56,6 +58,16 @@ StepNumber History<Side>::push(DeltaPointer delta, StepNote note, Bytes thumbnai
 template <int Side>
 const StepTree& History<Side>::tree() const {
   return state_->parts.tree;
+}
+
+template <int Side>
+const SolidRef& History<Side>::solid() const {
+  return state_->parts.solid;
+}
+
+template <int Side>
+void History<Side>::placeSolid(SolidRef solid) {
+  state_->parts.solid = std::move(solid);
 }
 
 template <int Side>
@@ -108,7 +120,8 @@ typename History<Side>::Journey History<Side>::goTo(StepNumber target, Tree& cla
   Edit<Block> edit(clay);
   const auto legs = tree.path(tree.place(), target);
   const StepNumber lost = state.walk(
-      legs, edit.tree(), journey.trouble, [&](const StepTree::Leg& leg, const Delta<Block>& delta) {
+      legs, edit.tree(), state.parts.solid, journey.trouble,
+      [&](const StepTree::Leg& leg, const Delta<Block>& delta) {
         const bool forward = leg.direction == Direction::forward;
         for (const auto& change : delta.changes) {
           edit.replace({change.key, change.length}, forward ? change.after : change.before);
@@ -136,13 +149,15 @@ Field<Side> History<Side>::fieldAt(StepNumber target, const Field<Side>& clay) {
     throw Error("step " + std::to_string(target) + ": not in the history");
   }
   Field<Side> field = clay;
+  SolidRef solid = state_->parts.solid;
   std::string trouble;
   const auto legs = tree().path(tree().place(), target);
-  state_->walk(legs, field.tree, trouble, [&](const StepTree::Leg& leg, const Delta<Block>& delta) {
-    delta.apply(field.tree, leg.direction);
-    const StepNote& note = tree().find(leg.step)->note;
-    field.scale = leg.direction == Direction::forward ? note.after : note.before;
-  });
+  state_->walk(legs, field.tree, solid, trouble,
+               [&](const StepTree::Leg& leg, const Delta<Block>& delta) {
+                 delta.apply(field.tree, leg.direction);
+                 const StepNote& note = tree().find(leg.step)->note;
+                 field.scale = leg.direction == Direction::forward ? note.after : note.before;
+               });
   if (!trouble.empty()) throw Error(trouble);
   state_->makeRoom();
   return field;
@@ -240,9 +255,10 @@ Bytes History<Side>::State::bytesOf(StepNumber step) const {
 }
 
 template <int Side>
-typename History<Side>::DeltaPointer History<Side>::State::deltaOf(const StepTree::Leg& leg,
-                                                                   const Tree& clay) {
-  if (DeltaPointer held = cache.find(leg.step)) return held;
+typename History<Side>::State::Change History<Side>::State::changeOf(const StepTree::Leg& leg,
+                                                                     const Tree& clay,
+                                                                     const SolidRef& solid) {
+  if (Change held = cache.find(leg.step); held.clay) return held;
   const Bytes bytes = bytesOf(leg.step);
   const std::string name = parts.files == nullptr
                                ? "step " + std::to_string(leg.step)
@@ -251,24 +267,27 @@ typename History<Side>::DeltaPointer History<Side>::State::deltaOf(const StepTre
   if (file.head().step.mark != parts.tree.markOf(leg.step)) {
     throw Error(name + ": of another history");
   }
-  auto delta = std::make_shared<const Delta<Block>>(file.unpack(clay, leg.direction));
-  cache.put(leg.step, delta);
-  return delta;
+  Change change{std::make_shared<const Delta<Block>>(file.unpack(clay, leg.direction)), solid,
+                file.solid(solid, leg.direction)};
+  if (leg.direction == Direction::backward) std::swap(change.before, change.after);
+  cache.put(leg.step, change);
+  return change;
 }
 
 template <int Side>
 template <class Take>
 StepNumber History<Side>::State::walk(const std::vector<StepTree::Leg>& legs, const Tree& clay,
-                                      std::string& trouble, const Take& take) {
+                                      SolidRef& solid, std::string& trouble, const Take& take) {
   for (const StepTree::Leg& leg : legs) {
-    DeltaPointer delta;
+    Change change;
     try {
-      delta = deltaOf(leg, clay);
+      change = changeOf(leg, clay, solid);
     } catch (const Error& error) {
       trouble = error.what();
       return leg.step;
     }
-    take(leg, *delta);
+    take(leg, *change.clay);
+    solid = change.solid(leg.direction);
   }
   return 0;
 }

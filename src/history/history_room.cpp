@@ -56,7 +56,8 @@ void History<Side>::State::requestCheckpoint() {
   checkpointRunning = true;
   stepsSinceAnchor = 0;
   bytesSinceAnchor = 0;
-  parts.journal->add(typename undo::Journal<Side>::CheckpointEvent{now(), parts.scale});
+  parts.journal->add(
+      typename undo::Journal<Side>::CheckpointEvent{now(), parts.scale, parts.solid});
 }
 
 template <int Side>
@@ -129,8 +130,8 @@ void History<Side>::State::forget(StepNumber step) {
 
 // Thousands of blocks are not freed on the caller's time.
 template <int Side>
-void History<Side>::State::letGo(DeltaPointer delta) {
-  if (delta && parts.journal) parts.journal->release(std::move(delta));
+void History<Side>::State::letGo(Change change) {
+  if (change.clay && parts.journal) parts.journal->release(std::move(change));
 }
 
 // Blocks that a file has go first; without a folder, old steps are packed, then forgotten.
@@ -155,16 +156,17 @@ bool History<Side>::State::packOldest() {
     const Step& step = *parts.tree.find(number);
     const bool written = step.bytes != 0 || packed.contains(number);
     if (!written && parts.journal) continue;
-    const DeltaPointer delta = cache.erase(number);
+    Change change = cache.erase(number);
     if (!written) {
       undo::FileHead head;
       head.step = step;
-      Bytes bytes = undo::encodeUndoFile<Side>(head, *delta);
+      const Bytes solid = undo::encodeSolidPart(change.before, change.after);
+      Bytes bytes = undo::encodeUndoFile<Side>(head, *change.clay, {{}, solid});
       bytes.shrink_to_fit();
       packedBytes += bytes.size();
       packed[number] = std::move(bytes);
     }
-    letGo(delta);
+    letGo(std::move(change));
     return true;
   }
   return false;

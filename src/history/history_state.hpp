@@ -25,13 +25,15 @@ struct History<Side>::State {
 
   HistoryPlace now() const;
   Step newStep(const Delta<Block>& delta, StepNote note);
-  DeltaPointer deltaOf(const StepTree::Leg& leg, const Tree& clay);
+  using Change = undo::StepChange<Side>;
+  Change changeOf(const StepTree::Leg& leg, const Tree& clay, const SolidRef& solid);
   Bytes bytesOf(StepNumber step) const;
 
-  /// Calls take(delta, direction) for every leg; the step that could not be read, 0 when all could.
+  /// Calls take(leg, delta) for every leg; the step that could not be read, 0 when all could.
+  /// `solid` goes along.
   template <class Take>
-  StepNumber walk(const std::vector<StepTree::Leg>& legs, const Tree& clay, std::string& trouble,
-                  const Take& take);
+  StepNumber walk(const std::vector<StepTree::Leg>& legs, const Tree& clay, SolidRef& solid,
+                  std::string& trouble, const Take& take);
   void cutOff(StepNumber lost);
 
   void takeNews();
@@ -44,7 +46,7 @@ struct History<Side>::State {
   void dropAnchor(StepNumber state);
   void removeStep(const std::string& undoFile);
   void forget(StepNumber step);
-  void letGo(DeltaPointer delta);
+  void letGo(Change change);
   void shrinkMemory();
   bool packOldest();
   std::size_t memoryBytes() const { return cache.bytes() + packedBytes; }

@@ -25,8 +25,8 @@ std::string pictureFileName(StepNumber step) { return numbered(step, kPictureEnd
 template <int Side>
 struct Journal<Side>::Running {
   Running(const std::filesystem::path& path, FileSystem& files, const FileHead& head,
-          const KeyTree<Block>& tree)
-      : file(path, files), writer(head, tree), state(head.step.number) {}
+          const KeyTree<Block>& tree, const SolidRef& solid)
+      : file(path, files), writer(head, tree, solid), state(head.step.number) {}
 
   /// False when it is finished and in its place.
   bool advance() {
@@ -81,9 +81,9 @@ void Journal<Side>::queue(Event event) {
 }
 
 template <int Side>
-void Journal<Side>::release(DeltaPointer delta) {
+void Journal<Side>::release(Change change) {
   const std::lock_guard lock(mutex_);
-  released_.push_back(std::move(delta));
+  released_.push_back(std::move(change));
 }
 
 template <int Side>
@@ -141,7 +141,7 @@ void Journal<Side>::work() {
 template <int Side>
 bool Journal<Side>::workOnce(std::unique_lock<std::mutex>& lock) {
   Event& event = events_.front();  // others only add at the end
-  std::vector<DeltaPointer> released = std::exchange(released_, {});
+  std::vector<Change> released = std::exchange(released_, {});
   lock.unlock();
   released.clear();
   std::uint64_t moment = 0;
@@ -172,9 +172,11 @@ std::uint64_t Journal<Side>::write(StepEvent& event) {
   head.identity = identity_;
   head.moment = event.moment;
   head.step = event.step;
-  const Bytes bytes = encodeUndoFile<Side>(head, *event.delta, event.thumbnail);
+  const Change& change = event.change;
+  const Bytes solid = encodeSolidPart(change.before, change.after);
+  const Bytes bytes = encodeUndoFile<Side>(head, *change.clay, {event.thumbnail, solid});
   writeFile(folder_ / stepFileName(event.step.number), bytes, *files_);
-  follow(event.delta);
+  follow(change.clay);
   const std::lock_guard lock(mutex_);
   news_.written.push_back({head.step.number, head.step.changedCorners, head.step.bytes});
   return event.moment;
@@ -228,7 +230,7 @@ std::uint64_t Journal<Side>::write(CheckpointEvent& event) {
   head.step.note = {"", event.scale, event.scale};
   try {
     running_ = std::make_unique<Running>(folder_ / checkpointFileName(event.place.place), *files_,
-                                         head, tree_);
+                                         head, tree_, event.solid);
   } catch (const Error&) {
     const std::lock_guard lock(mutex_);
     news_.checkpointFailed = true;

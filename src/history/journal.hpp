@@ -14,6 +14,7 @@
 
 #include "bozzetto/base/file.hpp"
 #include "history/place_file.hpp"
+#include "history/step_change.hpp"
 #include "history/undo_file.hpp"
 
 namespace bozzetto::undo {
@@ -31,12 +32,13 @@ template <int Side>
 class Journal {
  public:
   using Block = CornerBlock<Side>;
-  using DeltaPointer = std::shared_ptr<const Delta<Block>>;
+  using Change = StepChange<Side>;
+  using DeltaPointer = typename Change::DeltaPointer;
 
   struct StepEvent {
     std::uint64_t moment;
     Step step;
-    DeltaPointer delta;
+    Change change;
     Bytes thumbnail;
   };
   struct MoveEvent {
@@ -55,6 +57,7 @@ class Journal {
   struct CheckpointEvent {
     HistoryPlace place;
     FieldScale scale;
+    SolidRef solid;
   };
 
   /// What has come of events, since it was asked last.
@@ -84,7 +87,7 @@ class Journal {
   void add(PictureEvent event) { queue(std::move(event)); }
   void add(CheckpointEvent event) { queue(std::move(event)); }
   /// Lets go of blocks on the writer's thread.
-  void release(DeltaPointer delta);
+  void release(Change change);
 
   /// Everything up to this moment is on the disk, synced.
   std::uint64_t durableMoment() const;
@@ -122,7 +125,7 @@ class Journal {
   mutable std::mutex mutex_;
   std::condition_variable wake_, done_;
   std::deque<Event> events_;
-  std::vector<DeltaPointer> released_;
+  std::vector<Change> released_;
   News news_;
   std::uint64_t durable_ = 0;
   std::string trouble_;

@@ -14,7 +14,7 @@ namespace bozzetto::undo {
 namespace {
 
 constexpr std::string_view kMagic = "bzzundo\n";
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2, kWithoutSolids = 1;
 constexpr int kLevel = 1;
 constexpr std::size_t kMostLabelBytes = 255;
 constexpr std::size_t kBatch = 16;  // records in memory at a time
@@ -63,7 +63,7 @@ Bytes encodeHead(const FileHead& head) {
   out.put(head.side);
   out.put(static_cast<std::uint16_t>(label.size()));
   out.put(head.thumbnailBytes);
-  out.put(std::uint32_t{0});
+  out.put(head.solidBytes);
   out.put(head.fileBytes);
   for (const std::uint8_t byte : head.identity) out.put(byte);
   out.put(head.moment);
@@ -79,6 +79,25 @@ Bytes encodeHead(const FileHead& head) {
   out.put(std::string_view(label));
   out.put(hash64(out.bytes()));
   return out.take();
+}
+
+// A picture, a solid: their lengths are in the head.
+void putEnclosure(ByteWriter& out, std::span<const std::byte> bytes) {
+  if (bytes.empty()) return;
+  out.put(bytes);
+  out.put(hash64(bytes));
+}
+
+std::uint64_t lengthOf(std::span<const std::byte> enclosure) {
+  return enclosure.empty() ? 0 : enclosure.size() + 8;
+}
+
+std::span<const std::byte> takeEnclosure(ByteReader& in, std::size_t length,
+                                         const std::string& name) {
+  if (length == 0) return {};
+  const auto bytes = in.take(length);
+  if (in.get<std::uint64_t>() != hash64(bytes)) throw Error(name + " does not match its hash");
+  return bytes;
 }
 
 template <int Side>
@@ -119,7 +138,7 @@ std::span<const Change<CornerBlock<Side>>> recordOf(
 
 template <int Side>
 Bytes encodeUndoFile(FileHead& head, const Delta<CornerBlock<Side>>& delta,
-                     std::span<const std::byte> thumbnail) {
+                     const Enclosures& enclosures) {
   std::vector<Change<CornerBlock<Side>>> pieces;
   for (const auto& change : delta.changes) addPieces<Side>(change, pieces);
   const std::size_t count = (pieces.size() + kRecordChanges - 1) / kRecordChanges;
@@ -129,21 +148,20 @@ Bytes encodeUndoFile(FileHead& head, const Delta<CornerBlock<Side>>& delta,
   });
 
   head.side = Side;
-  head.thumbnailBytes = static_cast<std::uint32_t>(thumbnail.size());
+  head.thumbnailBytes = static_cast<std::uint32_t>(enclosures.thumbnail.size());
+  head.solidBytes = static_cast<std::uint32_t>(enclosures.solid.size());
   head.step.changedBlocks = head.step.changedCorners = 0;
   for (const auto& change : delta.changes) head.step.changedBlocks += change.length;
   for (const auto& frame : frames) head.step.changedCorners += frame.corners;
   head.fileBytes = encodeHead(head).size() + 16;
-  if (!thumbnail.empty()) head.fileBytes += thumbnail.size() + 8;
+  head.fileBytes += lengthOf(enclosures.thumbnail) + lengthOf(enclosures.solid);
   for (const auto& frame : frames) head.fileBytes += frame.packed.size() + 16;
   head.step.bytes = head.fileBytes;
 
   ByteWriter out;
   out.put(std::span<const std::byte>(encodeHead(head)));
-  if (!thumbnail.empty()) {
-    out.put(thumbnail);
-    out.put(hash64(thumbnail));
-  }
+  putEnclosure(out, enclosures.thumbnail);
+  putEnclosure(out, enclosures.solid);
   std::uint32_t index = 0;
   for (const auto& frame : frames) {
     putFrame(out, frame.packed, frame.rawBytes, frameHash(frame.packed, head.step.mark, index++));
@@ -158,15 +176,15 @@ FileHead decodeHead(std::span<const std::byte> bytes, const std::string& name) {
     throw Error(name + ": not an undo-file");
   }
   const auto version = in.get<std::uint32_t>();
-  if (version != kVersion) {
-    throw Error(name + ": undo-file of version " + std::to_string(version) + ", 1 expected");
+  if (version != kVersion && version != kWithoutSolids) {
+    throw Error(name + ": undo-file of version " + std::to_string(version) + ", 1 or 2 expected");
   }
   FileHead head;
   head.kind = static_cast<FileKind>(in.get<std::uint8_t>());
   head.side = in.get<std::uint8_t>();
   const auto labelBytes = in.get<std::uint16_t>();
   head.thumbnailBytes = in.get<std::uint32_t>();
-  const auto zero = in.get<std::uint32_t>();
+  head.solidBytes = in.get<std::uint32_t>();
   head.fileBytes = in.get<std::uint64_t>();
   for (std::uint8_t& byte : head.identity) byte = in.get<std::uint8_t>();
   head.moment = in.get<std::uint64_t>();
@@ -185,7 +203,8 @@ FileHead decodeHead(std::span<const std::byte> bytes, const std::string& name) {
   const std::uint64_t hash = hash64(bytes.first(in.position()));
   if (in.get<std::uint64_t>() != hash) throw Error(name + ": head does not match its hash");
   const bool step = head.kind == FileKind::step;
-  const bool good = (step || head.kind == FileKind::checkpoint) && zero == 0 &&
+  const bool good = (step || head.kind == FileKind::checkpoint) &&
+                    (version != kWithoutSolids || head.solidBytes == 0) &&
                     labelBytes <= kMostLabelBytes && head.thumbnailBytes <= kMostThumbnailBytes &&
                     (!step || head.step.parent < head.step.number);
   if (!good) throw Error(name + ": head of an undo-file out of range");
@@ -202,12 +221,8 @@ UndoFile<Side>::UndoFile(std::span<const std::byte> bytes, std::string name)
   }
   ByteReader in(bytes, name_);
   in.skip(encodeHead(head_).size());
-  if (head_.thumbnailBytes > 0) {
-    thumbnail_ = in.take(head_.thumbnailBytes);
-    if (in.get<std::uint64_t>() != hash64(thumbnail_)) {
-      throw Error(name_ + ": thumbnail does not match its hash");
-    }
-  }
+  enclosures_.thumbnail = takeEnclosure(in, head_.thumbnailBytes, name_ + ": thumbnail");
+  enclosures_.solid = takeEnclosure(in, head_.solidBytes, name_ + ": solid");
   for (bool ended = false; !ended;) {
     const std::string where = name_ + ": record " + std::to_string(frames_.size());
     const auto rawBytes = in.get<std::uint32_t>();
@@ -282,14 +297,20 @@ KeyTree<CornerBlock<Side>> UndoFile<Side>::tree() const {
 
 template <int Side>
 CheckpointWriter<Side>::CheckpointWriter(const FileHead& head,
-                                         const KeyTree<CornerBlock<Side>>& tree)
+                                         const KeyTree<CornerBlock<Side>>& tree,
+                                         const SolidRef& solid)
     : tree_(&tree), node_(tree.begin()), mark_(head.step.mark) {
   FileHead mine = head;
   mine.kind = FileKind::checkpoint;
   mine.side = Side;
   mine.thumbnailBytes = 0;
   mine.fileBytes = 0;
-  head_ = encodeHead(mine);
+  const Bytes enclosed = encodeSolid(solid);
+  mine.solidBytes = static_cast<std::uint32_t>(enclosed.size());
+  ByteWriter out;
+  out.put(std::span<const std::byte>(encodeHead(mine)));
+  putEnclosure(out, enclosed);
+  head_ = out.take();
 }
 
 template <int Side>
@@ -314,8 +335,8 @@ Bytes CheckpointWriter<Side>::next() {
   return out.take();
 }
 
-template Bytes encodeUndoFile(FileHead&, const Delta<CornerBlock<1>>&, std::span<const std::byte>);
-template Bytes encodeUndoFile(FileHead&, const Delta<CornerBlock<8>>&, std::span<const std::byte>);
+template Bytes encodeUndoFile(FileHead&, const Delta<CornerBlock<1>>&, const Enclosures&);
+template Bytes encodeUndoFile(FileHead&, const Delta<CornerBlock<8>>&, const Enclosures&);
 template class UndoFile<1>;
 template class UndoFile<8>;
 template class CheckpointWriter<1>;

@@ -9,6 +9,7 @@
 #include "bozzetto/base/bytes.hpp"
 #include "bozzetto/history/step.hpp"
 #include "history/packed_record.hpp"
+#include "history/solid_part.hpp"
 
 namespace bozzetto::undo {
 
@@ -21,6 +22,7 @@ struct FileHead {
   std::uint64_t moment = 0;  ///< counts every event of a history: what came last
   Step step;                 ///< of a checkpoint: the state it holds
   std::uint32_t thumbnailBytes = 0;
+  std::uint32_t solidBytes = 0;
   std::uint64_t fileBytes = 0;  ///< 0 in checkpoints, which are written before this is known
 };
 
@@ -28,10 +30,16 @@ struct FileHead {
 inline constexpr std::size_t kMostHeadBytes = 512;
 inline constexpr std::size_t kMostThumbnailBytes = 16u << 20;
 
+/// What an undo-file holds beside clay; all may be empty.
+struct Enclosures {
+  std::span<const std::byte> thumbnail{};
+  std::span<const std::byte> solid{};  ///< encodeSolidPart; of a checkpoint encodeSolid
+};
+
 /// Counts and file length go into the head.
 template <int Side>
 Bytes encodeUndoFile(FileHead& head, const Delta<CornerBlock<Side>>& delta,
-                     std::span<const std::byte> thumbnail = {});
+                     const Enclosures& enclosures = {});
 
 /// From the first bytes of a file. Throws Error with `name` first.
 FileHead decodeHead(std::span<const std::byte> bytes, const std::string& name);
@@ -45,10 +53,17 @@ class UndoFile {
   UndoFile(std::span<const std::byte> bytes, std::string name);
 
   const FileHead& head() const { return head_; }
-  std::span<const std::byte> thumbnail() const { return thumbnail_; }
+  std::span<const std::byte> thumbnail() const { return enclosures_.thumbnail; }
 
   /// What leads from `tree` over this step. Throws Error where it does not fit. In parallel.
   Delta<Block> unpack(const KeyTree<Block>& tree, Direction direction) const;
+
+  /// What the solid is over this step. Throws Error where `here` does not fit.
+  SolidRef solid(const SolidRef& here, Direction direction) const {
+    return solidBeyond(here, enclosures_.solid, direction, name_);
+  }
+  /// The solid of a checkpoint. Throws Error where it is none.
+  SolidRef solid() const { return decodeSolid(enclosures_.solid, name_); }
 
   /// The clay of a checkpoint. In parallel, without a second copy.
   KeyTree<Block> tree() const;
@@ -65,7 +80,7 @@ class UndoFile {
 
   std::string name_;
   FileHead head_;
-  std::span<const std::byte> thumbnail_;
+  Enclosures enclosures_;
   std::vector<Frame> frames_;
 };
 
@@ -74,7 +89,8 @@ template <int Side>
 class CheckpointWriter {
  public:
   /// The tree must not change meanwhile.
-  CheckpointWriter(const FileHead& head, const KeyTree<CornerBlock<Side>>& tree);
+  CheckpointWriter(const FileHead& head, const KeyTree<CornerBlock<Side>>& tree,
+                   const SolidRef& solid = nullptr);
   /// The next bytes of the file; empty when all have been given.
   Bytes next();
 

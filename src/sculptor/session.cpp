@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "bozzetto/history/copy.hpp"
+#include "bozzetto/solid/solid_codec.hpp"
 
 namespace bozzetto {
 namespace fs = std::filesystem;
@@ -36,6 +38,12 @@ HistoryPlace takePlace(SceneParts& parts) {
   const auto place = HistoryPlace::parse(setting->second);
   parts.settings.erase(setting);
   return place.value_or(kUnknownPlace);
+}
+
+// Clay, place in the history and solid are the history's; the rest stays.
+SavedScene<8> takeSaved(Document& document, const fs::path& scene) {
+  const SolidRef solid = decodeSolid(std::exchange(document.parts.solid, {}), scene.string());
+  return {std::move(document.field), takePlace(document.parts), solid};
 }
 
 // Saved by somebody who knows nothing of the history, and after it: it is not this document's any
@@ -92,10 +100,9 @@ Session Session::begin(const fs::path& scene, HistoryAccess access, const Sessio
   bool old = false;
   try {
     Document document = file.load(scene, progress);
+    old = outlived(scene, document.parts, files);
+    saved = takeSaved(document, scene);
     parts = std::move(document.parts);
-    old = outlived(scene, parts, files);
-    const HistoryPlace place = takePlace(parts);
-    saved = SavedScene<8>{std::move(document.field), place};
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
@@ -180,6 +187,7 @@ std::vector<fs::path> Session::leftBehind(FileSystem& files) {
 Document Session::document() const {
   Document document{sculptor_.field(), parts};
   document.parts.shelf = sculptor_.tools().shelf;
+  document.parts.solid = encodeSolid(sculptor_.solid());
   document.parts.settings[kPlaceSetting] = sculptor_.history().savePlace().text();
   return document;
 }
@@ -198,6 +206,7 @@ bool Session::saved() const {
 
 void Session::markSaved(const Document& document) {
   savedParts_ = document.parts;
+  savedParts_.solid.clear();
   sculptor_.history().markSaved(takePlace(savedParts_));
 }
 
@@ -253,9 +262,9 @@ void Session::bringHistoryTo(const fs::path& folder, const Document& document) {
   History<8>& history = sculptor_.history();
   history.waitDurable();
   if (history.onDisk()) copyHistory(history, folder, *options_.files);
-  SceneParts copy = document.parts;
-  const SavedScene<8> saved{document.field, takePlace(copy)};
-  const HistoryFolder there{folder, copy.identity.bytes, options_.files};
+  Document copy = document;
+  const SavedScene<8> saved = takeSaved(copy, path_);
+  const HistoryFolder there{folder, copy.parts.identity.bytes, options_.files};
   OpenedHistory<8> opened = openHistory<8>(there, saved, HistoryAccess::write, options_.limits);
   if (opened.readOnly) throw Error(folder.string() + ": another program has it open");
   history = std::move(opened.history);

@@ -44,6 +44,7 @@ template <int Side>
 Workbench<Side>::Workbench(Field<Side> field, History<Side> history, SurfaceUpkeep upkeep)
     : field_(std::move(field)),
       history_(std::move(history)),
+      nextSolid_(history_.solid()),
       upkeep_(upkeep),
       massUnits_(massUnits(field_)) {
   showAll();
@@ -69,15 +70,7 @@ void Workbench<Side>::keep(Edit<Block>& edit, const FieldScale& scale, Operation
   if (!std::exchange(followed_, false)) show(*delta, report);
   Bytes picture = takePicture ? takePicture() : Bytes();
   const Timer timer(report.msHistory);
-  rememberSolid(history_.push(std::move(delta), {report.op, before, scale}, std::move(picture)));
-}
-
-template <int Side>
-void Workbench<Side>::rememberSolid(StepNumber step) {
-  solid_ = nextSolid_;
-  if (!solid_) return;
-  std::erase_if(solids_, [&](const auto& each) { return !history_.tree().has(each.first); });
-  solids_[step] = solid_;
+  history_.push(std::move(delta), {report.op, before, scale}, nextSolid_, std::move(picture));
 }
 
 template <int Side>
@@ -138,8 +131,7 @@ std::string Workbench<Side>::goTo(StepNumber state, OperationReport& report) {
     account(*journey.delta);
   }
   field_.scale = journey.scale;
-  const auto solid = solids_.find(history_.place());
-  solid_ = nextSolid_ = solid == solids_.end() ? nullptr : solid->second;
+  nextSolid_ = history_.solid();
   report.changedBlocks += journey.delta->changes.size();
   show(*journey.delta, report);
   return journey.trouble;

@@ -54,6 +54,40 @@ class InPlace : public ::testing::Test {
   const std::string scene_ = folder_ / "s.bzt";
 };
 
+TEST_F(InPlace, twoStepsCompare) {
+  play(kWork, "--new");
+  const auto found = jsonOf("history " + scene_ + " --compare 1 3");
+  EXPECT_GT(found["corners"], 1000);
+  EXPECT_GT(found["blocks"], 10);
+  EXPECT_EQ(found["bounds"]["max"].size(), 3u);
+  EXPECT_EQ(found["mass_difference"].get<double>(),
+            found["mass_after"].get<double>() - found["mass_before"].get<double>());
+  EXPECT_EQ(found["mass_after"], jsonOf("info " + scene_)["mass"]);
+  const auto back = jsonOf("history " + scene_ + " --compare 3 1");
+  EXPECT_EQ(back["corners"], found["corners"]);
+  EXPECT_EQ(back["mass_before"], found["mass_after"]);
+  const auto same = jsonOf("history " + scene_ + " --compare 2 2");
+  EXPECT_EQ(same["corners"], 0);
+  EXPECT_TRUE(same["bounds"].is_null());
+  EXPECT_EQ(runProgram("history " + scene_ + " --compare 2 9").code, 1);
+  EXPECT_EQ(runProgram("history " + scene_ + " --compare 2").code, 2);
+  EXPECT_NE(runProgram("history " + scene_ + " --compare 0 3").out.find("corners in"),
+            std::string::npos);
+}
+
+TEST_F(InPlace, solidsComeBackWithTheirSteps) {
+  play(kHeader + "{\"op\":\"solid\",\"edge\":20}\n" +
+           "{\"op\":\"solid_move\",\"point\":[2,2,2],\"by\":[5,6,7]}\n{\"op\":\"bake\"}\n",
+       "--new");
+  const std::string baked = hashOf(scene_);
+  play(kHeader + "{\"op\":\"undo\",\"count\":2}\n{\"op\":\"redo\"}\n{\"op\":\"bake\"}\n");
+  EXPECT_EQ(hashOf(scene_), baked);
+  play(kHeader + "{\"op\":\"undo\",\"count\":2}\n{\"op\":\"bake\"}\n");
+  EXPECT_NE(hashOf(scene_), baked);
+  play(kHeader + "{\"op\":\"goto\",\"step\":2}\n{\"op\":\"bake\"}\n");
+  EXPECT_EQ(hashOf(scene_), baked);
+}
+
 TEST_F(InPlace, tellsOfEachOperationAndSavesAtTheEnd) {
   EXPECT_EQ(play(kWork, "--new"), "done 1\ndone 2\ndone 3\ndone 4\ndone 5\n");
   EXPECT_EQ(hashOf(scene_), hashOfPlayed(kWork));

@@ -45,7 +45,7 @@ class PowerCut : public ::testing::Test {
       if (n % 13 != 12) continue;
       s.history.waitDurable();
       note(s, saved);
-      saved = SavedScene<8>{s.clay, s.history.savePlace()};
+      saved = SavedScene<8>{s.clay, s.history.savePlace(), s.history.solid()};
       note(s, saved);
       s.history.markSaved(saved->place);
     }
@@ -55,7 +55,7 @@ class PowerCut : public ::testing::Test {
 
   void note(Sitting& s, const std::optional<SavedScene<8>>& saved) {
     const bool durable = s.history.durableMoment() >= s.history.moment();
-    events_.push_back({durable ? disk_.operations() : SIZE_MAX, fieldHash(s.clay), saved});
+    events_.push_back({durable ? disk_.operations() : SIZE_MAX, s.hash(), saved});
   }
 
   /// The last event that was durable for sure when so many operations were done.
@@ -71,7 +71,7 @@ class PowerCut : public ::testing::Test {
     const auto opened =
         openHistory<8>({kFolder, kIdentity, &disk}, event.saved, HistoryAccess::read, fewSteps());
     EXPECT_EQ(validate(opened.field), std::nullopt);
-    return fieldHash(opened.field);
+    return testing::stateHash(opened);
   }
 
   CrashFileSystem disk_;
@@ -132,7 +132,7 @@ TEST_F(PowerCut, comesBackAgainAndAgain) {
       for (unsigned n = 0; n < events; ++n) s.anything();
       s.history.waitDurable();
       durable = now->operations();
-      hash = fieldHash(s.clay);
+      hash = s.hash();
       s.change();
     }
     const std::size_t count = durable + random() % (now->operations() - durable + 1);
@@ -178,11 +178,11 @@ TEST_P(Failing, everyOperationInTurnLosesNothing) {
     ASSERT_TRUE(sitting->asItWas()) << "operation " << failed;
     sitting->change();
     sitting->history.waitDurable();
-    const auto hash = fieldHash(sitting->clay);
+    const auto hash = sitting->hash();
     const std::size_t depth = sitting->history.undoDepth();
     sitting.reset();
     auto opened = openHistory<8>({folder, kIdentity, &disk}, {}, HistoryAccess::read);
-    ASSERT_EQ(fieldHash(opened.field), hash) << "operation " << failed;
+    ASSERT_EQ(testing::stateHash(opened), hash) << "operation " << failed;
     ASSERT_GE(opened.history.undoDepth(), depth) << "operation " << failed;
     ASSERT_TRUE(opened.notices.empty()) << opened.notices[0];
   };

@@ -34,14 +34,14 @@ class Recovery : public ::testing::Test {
     }
     for (int n = 0; n < 100 && s.history.tree().size() > steps; ++n) s.history.waitDurable();
     s.history.waitDurable();
-    last_ = fieldHash(s.clay);
+    last_ = s.hash();
     place_ = s.history.place();
     tip_ = s.history.tree().tip();
     return s.hashes;
   }
 
   void save(Sitting& s) {
-    saved_ = SavedScene<8>{s.clay, s.history.savePlace()};
+    saved_ = SavedScene<8>{s.clay, s.history.savePlace(), s.history.solid()};
     s.history.markSaved(saved_->place);
   }
 
@@ -66,7 +66,7 @@ TEST_F(Recovery, aDocumentThatWasNeverSavedComesBackWithItsHistory) {
     auto opened = open();
     EXPECT_TRUE(opened.recovered);
     EXPECT_TRUE(opened.notices.empty()) << opened.notices[0];
-    EXPECT_EQ(fieldHash(opened.field), last_);
+    EXPECT_EQ(testing::stateHash(opened), last_);
     EXPECT_EQ(validate(opened.field), std::nullopt);
     Sitting s(std::move(opened));
     EXPECT_EQ(s.history.place(), place_);
@@ -84,6 +84,43 @@ TEST_F(Recovery, aDocumentThatWasNeverSavedComesBackWithItsHistory) {
   }
 }
 
+// Without clay: what comes back is the solid.
+TEST_F(Recovery, solidsComeBackWithTheirSteps) {
+  std::vector<SolidRef> solids{nullptr};
+  const auto nothing = std::make_shared<const Delta<testing::Block>>();
+  {
+    Sitting s(open());
+    for (int n = 0; n < 30; ++n) {
+      solids.push_back(testing::changedSolid(solids.back(), s.random));
+      s.history.push(nothing, {"solid_move", {}, {}}, solids.back());
+      if (n == 20) save(s);
+    }
+  }
+  Sitting s(open());
+  for (const StepNumber state : {30u, 0u, 17u, 3u, 21u, 30u, 1u}) {
+    ASSERT_EQ(s.goTo(state), "");
+    ASSERT_EQ(encodeSolid(s.history.solid()), encodeSolid(solids[state])) << state;
+  }
+}
+
+TEST_F(Recovery, aCheckpointHoldsTheSolid) {
+  HistoryLimits limits;
+  limits.steps = 3;
+  std::uint64_t hash = 0;
+  {
+    Sitting s(openHistory<8>({kFolder, kIdentity, &disk_}, {}, HistoryAccess::write, limits));
+    for (int n = 0; n < 40 && (n < 20 || !s.history.solid()); ++n) {
+      s.change();
+      s.history.waitDurable();
+    }
+    ASSERT_NE(s.history.solid(), nullptr);
+    hash = s.hash();
+  }
+  const auto opened = open();
+  EXPECT_NE(opened.history.tree().root(), 0u);
+  EXPECT_EQ(testing::stateHash(opened), hash);
+}
+
 TEST_F(Recovery, historySurvivesSavingAndReopening) {
   {
     Sitting s(open());
@@ -91,12 +128,12 @@ TEST_F(Recovery, historySurvivesSavingAndReopening) {
     s.undo();
     save(s);
     EXPECT_TRUE(s.history.atSaved());
-    last_ = fieldHash(s.clay);
+    last_ = s.hash();
   }
   auto opened = open();
   EXPECT_FALSE(opened.recovered);
   EXPECT_EQ(opened.unsavedSteps, 0u);
-  EXPECT_EQ(fieldHash(opened.field), last_);
+  EXPECT_EQ(testing::stateHash(opened), last_);
   Sitting s(std::move(opened));
   EXPECT_TRUE(s.history.atSaved());
   EXPECT_EQ(s.history.undoDepth(), 4u);
@@ -144,7 +181,7 @@ TEST_F(Recovery, rotationKeepsTheNewestAndWhatRecoveryNeeds) {
   EXPECT_GE(undoFiles, 12u);
   auto opened = open(HistoryAccess::write, 12);
   EXPECT_TRUE(opened.notices.empty()) << opened.notices[0];
-  EXPECT_EQ(fieldHash(opened.field), last_);
+  EXPECT_EQ(testing::stateHash(opened), last_);
   Sitting s(std::move(opened));
   s.hashes = hashes;
   for (const Step& step : s.history.steps()) {
@@ -191,7 +228,7 @@ TEST_F(Recovery, aDamagedOrMissingFileCutsTheHistoryThereOnly) {
       auto opened = open(HistoryAccess::read);
       const auto known = hashes.find(opened.history.place());
       ASSERT_NE(known, hashes.end()) << name;
-      ASSERT_EQ(fieldHash(opened.field), known->second) << name;
+      ASSERT_EQ(testing::stateHash(opened), known->second) << name;
       const bool told = opened.notices.size() == 1;
       EXPECT_TRUE(told || damage == 0 || damage == 3) << name << damage;
       Sitting s(std::move(opened));
@@ -203,7 +240,7 @@ TEST_F(Recovery, aDamagedOrMissingFileCutsTheHistoryThereOnly) {
     }
   }
   files_ = &disk_;
-  EXPECT_EQ(fieldHash(open().field), last_) << "nothing else was harmed";
+  EXPECT_EQ(testing::stateHash(open()), last_) << "nothing else was harmed";
 }
 
 TEST_F(Recovery, damageFoundOnTheWayCutsThere) {
@@ -214,7 +251,7 @@ TEST_F(Recovery, damageFoundOnTheWayCutsThere) {
   }
   const auto name = kFolder / "0000000004.undo";
   Bytes bad = disk_.content(name);
-  bad[bad.size() - 30] ^= std::byte{1};
+  bad[bad.size() - 3] ^= std::byte{1};
   anotherDisk().setContent(name, bad);
   Sitting s(open());
   EXPECT_EQ(s.history.undoDepth(), 8u) << "heads are sound";
@@ -226,9 +263,9 @@ TEST_F(Recovery, damageFoundOnTheWayCutsThere) {
   EXPECT_EQ(s.history.tree().validate(), std::nullopt);
   s.change();
   s.history.waitDurable();
-  const auto hash = fieldHash(s.clay);
+  const auto hash = s.hash();
   s = Sitting();
-  EXPECT_EQ(fieldHash(open().field), hash);
+  EXPECT_EQ(testing::stateHash(open()), hash);
 }
 
 TEST_F(Recovery, theSecondInstanceOnlyReads) {
@@ -247,11 +284,11 @@ TEST_F(Recovery, theSecondInstanceOnlyReads) {
   }
   first.change();
   first.history.waitDurable();
-  const auto hash = fieldHash(first.clay);
+  const auto hash = first.hash();
   first = Sitting();
   const auto opened = open();
   EXPECT_FALSE(opened.readOnly);
-  EXPECT_EQ(fieldHash(opened.field), hash);
+  EXPECT_EQ(testing::stateHash(opened), hash);
 }
 
 TEST_F(Recovery, anotherScenesHistoryIsLeftAlone) {
@@ -280,7 +317,7 @@ TEST_F(Recovery, aSceneThatFitsNoStepIsTakenAsItIs) {
   Clay clay = testing::ball<8>(9);
   saved_ = SavedScene<8>{clay, {77, 77, 1234, 9999}};
   const auto opened = open(HistoryAccess::read);
-  EXPECT_EQ(fieldHash(opened.field), fieldHash(clay));
+  EXPECT_EQ(testing::stateHash(opened), fieldHash(clay));
   EXPECT_EQ(opened.history.undoDepth(), 0u);
 }
 
@@ -290,7 +327,7 @@ TEST_F(Recovery, thumbnailsComeBack) {
     Sitting s(open());
     auto delta =
         std::make_shared<const Delta<testing::Block>>(testing::randomChange(s.clay, s.random));
-    s.history.push(std::move(delta), {"stroke", {}, {}}, picture);
+    s.history.push(std::move(delta), {"stroke", {}, {}}, nullptr, picture);
   }
   EXPECT_EQ(open().history.thumbnail(1), picture);
   EXPECT_TRUE(open().history.thumbnail(2).empty());

@@ -1,10 +1,12 @@
-// Somebody who works on a document with a history, for tests: small random changes, moves, and the
-// field's hash after each.
+// Somebody who works on a document with a history, for tests: small random changes of clay and
+// solids, moves, and the hash of both after each.
 #pragma once
 #include <map>
 #include <random>
 
+#include "bozzetto/base/hash.hpp"
 #include "bozzetto/history/recovery.hpp"
+#include "bozzetto/solid/solid_codec.hpp"
 #include "field/test_fields.hpp"
 
 namespace bozzetto::testing {
@@ -33,6 +35,33 @@ inline Delta<Block> randomChange(Clay& clay, std::mt19937& random) {
   return edit.commit();
 }
 
+/// Another solid made from one: a block where there was none, a point moved, more damping, none.
+inline SolidRef changedSolid(const SolidRef& before, std::mt19937& random) {
+  const auto kind = random() % 4u;
+  if (before && kind == 0) return nullptr;
+  Solid solid;
+  if (before) {
+    solid = *before;
+  } else {
+    NamedLattice block = makeBlock({});
+    solid.control = std::move(block.lattice);
+    solid.names = std::move(block.names);
+  }
+  if (kind == 1) solid.settings.damping += 0.125;
+  auto& points = solid.control.points;
+  points[random() % points.size()] += glm::dvec3(0.25, 0, -0.5);
+  return std::make_shared<const Solid>(std::move(solid));
+}
+
+/// Of all that a history brings back.
+inline std::uint64_t stateHash(const Clay& clay, const SolidRef& solid) {
+  const std::uint64_t hash = fieldHash(clay);
+  return solid ? hash ^ hash64(encodeSolid(solid)) : hash;
+}
+inline std::uint64_t stateHash(const OpenedHistory<8>& opened) {
+  return stateHash(opened.field, opened.history.solid());
+}
+
 struct Sitting {
   std::mt19937 random{1};
   Clay clay;
@@ -42,13 +71,16 @@ struct Sitting {
   Sitting() = default;
   explicit Sitting(OpenedHistory<8> opened)
       : clay(std::move(opened.field)), history(std::move(opened.history)) {
-    hashes[history.place()] = fieldHash(clay);
+    hashes[history.place()] = hash();
   }
 
   StepNumber change(const std::string& label = "stroke") {
     auto delta = std::make_shared<const Delta<Block>>(randomChange(clay, random));
-    const StepNumber step = history.push(std::move(delta), {label, clay.scale, clay.scale});
-    hashes[step] = fieldHash(clay);
+    const bool both = random() % 4u == 0;
+    SolidRef solid = both ? changedSolid(history.solid(), random) : history.solid();
+    const StepNumber step =
+        history.push(std::move(delta), {label, clay.scale, clay.scale}, std::move(solid));
+    hashes[step] = hash();
     return step;
   }
 
@@ -73,9 +105,10 @@ struct Sitting {
     change();
   }
 
+  std::uint64_t hash() const { return stateHash(clay, history.solid()); }
   bool asItWas() const {
     const auto known = hashes.find(history.place());
-    return known != hashes.end() && known->second == fieldHash(clay);
+    return known != hashes.end() && known->second == hash();
   }
 };
 

@@ -4,12 +4,12 @@
 
 #include <random>
 
-#include "field/test_fields.hpp"
+#include "history/sittings.hpp"
 
 namespace bozzetto {
 namespace {
 
-using Block = CornerBlock<8>;
+using testing::Block;
 using undo::FileHead;
 using undo::UndoFile;
 
@@ -81,7 +81,7 @@ TEST(UndoFile, aHeadComesBackAsItWas) {
   FileHead head = sampleHead();
   const auto delta = everyKind(clay);
   const Bytes picture(300, std::byte{7});
-  const Bytes bytes = undo::encodeUndoFile<8>(head, delta, picture);
+  const Bytes bytes = undo::encodeUndoFile<8>(head, delta, {picture, {}});
   const UndoFile<8> file(bytes, "test");
   const Step &read = file.head().step, &written = sampleHead().step;
   EXPECT_EQ(file.head().identity, sampleHead().identity);
@@ -144,10 +144,54 @@ TEST(UndoFile, refusesClayThatItDoesNotFit) {
   EXPECT_NO_THROW(file.unpack(clay.tree, Direction::backward));
 }
 
+TEST(UndoFile, leadsFromSolidToSolid) {
+  std::mt19937 random(4);
+  SolidRef before;
+  for (int n = 0; n < 40; ++n) {
+    const SolidRef after = testing::changedSolid(before, random);
+    const Bytes part = undo::encodeSolidPart(before, after);
+    FileHead head = sampleHead();
+    const Bytes bytes = undo::encodeUndoFile<8>(head, {}, {{}, part});
+    const UndoFile<8> file(bytes, "test");
+    ASSERT_EQ(encodeSolid(file.solid(before, Direction::forward)), encodeSolid(after));
+    ASSERT_EQ(encodeSolid(file.solid(after, Direction::backward)), encodeSolid(before));
+    EXPECT_THROW(file.solid(after, Direction::forward), Error);
+    EXPECT_TRUE(undo::encodeSolidPart(after, after).empty());
+    before = after;
+  }
+}
+
+// Those of version 1 know no solids; nothing else is different.
+TEST(UndoFile, theFirstVersionIsStillRead) {
+  Clay clay;
+  const auto delta = dabs(clay, 2);
+  FileHead head = sampleHead();
+  Bytes bytes = undo::encodeUndoFile<8>(head, delta);
+  bytes[8] = std::byte{1};
+  std::size_t hashAt = 100;
+  const auto isHash = [&](const Bytes& whole, std::size_t at) {
+    ByteReader in(std::span<const std::byte>(whole).subspan(at), "");
+    Bytes was(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(at));
+    was[8] = std::byte{2};
+    return in.get<std::uint64_t>() == hash64(was);
+  };
+  while (!isHash(bytes, hashAt)) ++hashAt;
+  ByteWriter hash;
+  hash.put(hash64(std::span(bytes).first(hashAt)));
+  std::ranges::copy(hash.bytes(), bytes.begin() + static_cast<std::ptrdiff_t>(hashAt));
+  const UndoFile<8> file(bytes, "test");
+  EXPECT_EQ(file.unpack(KeyTree<Block>(), Direction::forward).changes.size(), delta.changes.size());
+  EXPECT_EQ(file.solid(nullptr, Direction::forward), nullptr);
+}
+
+const Bytes kPicture(20, std::byte{9});
+
 // Reads everything that is in the file; true when it was taken for good.
 bool sound(std::span<const std::byte> bytes, const Clay& before) {
   try {
-    UndoFile<8>(bytes, "test").unpack(before.tree, Direction::forward);
+    const UndoFile<8> file(bytes, "test");
+    file.solid(nullptr, Direction::forward);
+    file.unpack(before.tree, Direction::forward);
     return true;
   } catch (const Error&) {
     return false;
@@ -161,7 +205,9 @@ TEST(UndoFile, anyDamagedByteAndAnyMissingEndIsFound) {
     return static_cast<float>((p.i * 31 + p.j * 17 + p.k * 7) & 15) / 15.0f;
   });
   FileHead head = sampleHead();
-  Bytes bytes = undo::encodeUndoFile<8>(head, delta, Bytes(20, std::byte{9}));
+  std::mt19937 random(1);
+  const Bytes solid = undo::encodeSolidPart(nullptr, testing::changedSolid(nullptr, random));
+  Bytes bytes = undo::encodeUndoFile<8>(head, delta, {kPicture, solid});
   ASSERT_TRUE(sound(bytes, before));
   for (std::size_t n = 0; n < bytes.size(); ++n) {
     for (int bit = 0; bit < 8; ++bit) {

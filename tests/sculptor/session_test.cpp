@@ -75,6 +75,43 @@ TEST_F(Sessions, whatWasNotSavedComesBack) {
   EXPECT_FALSE(session.saved());
 }
 
+TEST_F(Sessions, theSolidIsSavedAndRecoveredWithItsSteps) {
+  SolidRef made, moved;
+  {
+    Session session = Session::create(scene_);
+    SolidOperation solid;
+    solid.block.edge = glm::dvec3(20);
+    session.sculptor().apply(solid);
+    made = session.sculptor().solid();
+    session.save();
+    EXPECT_TRUE(session.saved());
+    session.sculptor().apply(SolidMoveOperation{Key{1, 1, 1}, {5, 6, 7}});
+    EXPECT_FALSE(session.saved());
+    moved = session.sculptor().solid();
+  }
+  {
+    Session session = Session::open(scene_);
+    EXPECT_TRUE(session.findings().recovered);
+    ASSERT_NE(session.sculptor().solid(), nullptr);
+    EXPECT_EQ(*session.sculptor().solid(), *moved);
+    session.sculptor().apply(UndoOperation{1});
+    EXPECT_EQ(*session.sculptor().solid(), *made);
+    EXPECT_TRUE(session.saved());
+    session.sculptor().apply(UndoOperation{1});
+    EXPECT_EQ(session.sculptor().solid(), nullptr);
+    session.sculptor().apply(GoToOperation{2});
+    session.saveAs(folder_ / "satyr.bzt");
+    session.sculptor().apply(UndoOperation{1});
+    EXPECT_EQ(*session.sculptor().solid(), *made);
+    session.sculptor().apply(RedoOperation{1});
+  }
+  Session session = Session::open(folder_ / "satyr.bzt");
+  EXPECT_FALSE(session.findings().recovered);
+  EXPECT_TRUE(session.saved());
+  EXPECT_EQ(*session.sculptor().solid(), *moved);
+  EXPECT_TRUE(session.parts.solid.empty()) << "our own business";
+}
+
 TEST_F(Sessions, aDamagedFileIsReplacedByItsHistory) {
   std::uint64_t hash = 0;
   {

@@ -63,8 +63,8 @@ class Session {
 
   Sculptor& sculptor() { return sculptor_; }
   const Sculptor& sculptor() const { return sculptor_; }
-  /// All but the clay; whoever has them changes them. But for the shelf, which is the sculptor's:
-  /// here it stays as it was opened.
+  /// All but clay and solid; whoever has them changes them. But for the shelf, which is the
+  /// sculptor's: here it stays as it was opened.
   SceneParts parts;
 
   /// Everything to save, as it is now. Costs pointers.

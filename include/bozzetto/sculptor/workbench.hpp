@@ -2,7 +2,6 @@
 // sculptor holds in the hand. Operations change the clay through an Edit and `keep` it.
 #pragma once
 #include <functional>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -59,13 +58,13 @@ class Workbench {
   double mass() const;  ///< world units; a ledger, not a count: O(1)
 
   /// The solid being worked on; null when there is none.
-  const SolidRef& solid() const { return solid_; }
+  const SolidRef& solid() const { return history_.solid(); }
   /// What the solid is after the next `keep`, whose step remembers both.
   void setSolid(SolidRef solid) { nextSolid_ = std::move(solid); }
-  /// Puts a solid there without a step.
+  /// Puts a solid there without a step, before all others.
   void placeSolid(SolidRef solid) {
-    solid_ = nextSolid_ = std::move(solid);
-    if (solid_) solids_[history_.place()] = solid_;
+    nextSolid_ = solid;
+    history_.placeSolid(std::move(solid));
   }
 
   Hand hand;
@@ -98,14 +97,12 @@ class Workbench {
   template <class Run>
   void note(std::span<const Run> changed, const RefreshReport& report);
   void account(const Delta<Block>& delta);
-  void rememberSolid(StepNumber step);
 
   Field<Side> field_;
   Surface<Side> surface_;
   SurfaceChanges changes_;
   History<Side> history_;
-  SolidRef solid_, nextSolid_;
-  std::map<StepNumber, SolidRef> solids_;  // of the states that have one
+  SolidRef nextSolid_;
   SurfaceUpkeep upkeep_;
   bool followed_ = false;  // the surface has followed the present edit
   MassSum massUnits_ = 0;
