@@ -1,5 +1,6 @@
 """Writes the recordings of deformable solids: what McDonnell and Qin's figures show, and a clay
 figure that is posed. Python 3, nothing else: python3 solids.py ../solids"""
+import itertools
 import json
 import math
 import os
@@ -31,8 +32,18 @@ class Session:
         """Extrudes the face at this place, again and again along an axis."""
         at = list(at)
         for _ in range(times):
-            self.add("solid_extrude", at=at, length=length)
+            self.add("solid_extrude", at=list(at), length=length)
             at[axis] += sign * (length or self.edge)
+
+    def dent(self):
+        """Presses corners and edges of the block inwards, point by point, towards a ball."""
+        half = [c / 2 for c in self.cells]
+        for point in itertools.product(*(range(c + 1) for c in self.cells)):
+            at = [n - h for n, h in zip(point, half)]
+            far = math.dist(at, (0, 0, 0)) / max(half)
+            if far > 1.15:
+                by = [round(x * self.edge * 0.75 * (1.15 / far - 1), 6) for x in at]
+                self.add("solid_move", point=list(point), by=by)
 
     def write(self, folder, name):
         with open(os.path.join(folder, name + ".jsonl"), "w") as out:
@@ -44,8 +55,9 @@ def head():
     """The cartoon head of §7.1: 5 x 5 x 5 cells, carved, extruded, subdivided, roped, inflated."""
     s = Session(12)
     s.block((5, 5, 5))
+    s.dent()
     under = [(i, 0, k) for i in range(5) for k in range(5) if i in (0, 4) or k in (0, 1)]
-    back = [(i, 4, 0) for i in range(5)] + [(0, 4, 4), (4, 4, 4)]
+    back = [(i, 4, 0) for i in range(5)]
     for i, j, k in under + back:
         s.add("solid_carve", at=s.cell(i, j, k))
     for i in (1, 3):  # eye sockets, and an eye in each
@@ -53,13 +65,13 @@ def head():
         s.add("solid_extrude", at=s.cell(i, 3, 3.5), length=9)
     s.add("solid_extrude", at=s.cell(2, 2, 4.5), length=12)  # the nose
     s.add("solid_extrude", at=s.cell(2, 2, 5.5), length=8)
-    for i, side in ((1.5, -1), (2.5, 1)):  # the moustache grows from it, and droops
+    for i in (1.5, 2.5):  # the moustache grows from it, and droops
         s.add("solid_extrude", at=s.cell(i, 2, 5), length=12)
     s.add("solid_carve", at=s.cell(2, 1, 4))  # the mouth
     s.add("solid_subdivide", at=s.cell(2, 0, 4))  # the lower jaw
-    for i, side in ((-0.5, -1), (4.5, 1)):  # ears
-        s.add("solid_extrude", at=s.cell(i, 2, 2), length=7)
-        s.add("solid_extrude", at=[side * (30 + 7), 0, 0], length=6)
+    for side in (-1, 1):  # ears
+        s.add("solid_extrude", at=s.cell(2 + 2.5 * side, 2, 2), length=7)
+        s.add("solid_extrude", at=[side * 37, 0, 0], length=6)
     s.add("solid_settings", solver="standard", time_step=0.5, damping=1, rope_strength=20)
     s.add("solid_window", min=[-60, -30, 5], max=[60, 10, 90])
     s.add("solid_pull", steps=25, ropes=[
@@ -68,45 +80,55 @@ def head():
     s.add("solid_pull", steps=20, ropes=[{"at": [0, -27, 30], "to": [0, -30, 37]}])
     s.add("solid_window")
     s.add("solid_rest")
-    s.add("solid_inflate", at=[0, 28, 0], radius=34, amount=0.35, steps=40)
+    s.add("solid_inflate", at=[0, 28, 0], radius=40, amount=0.3, steps=40)
     s.add("solid_inflate", at=[0, -8, -24], radius=22, amount=-0.15, steps=30)
     s.add("bake", levels=3, colour="#d9a06c")
     return s
 
 
 def chair(holes):
+    """A block of 7 x 8 x 6 cells with the rest taken away, its top rail bent as a B-spline."""
     s = Session(8)
-    s.block((7, 1, 6))
-    for i in (0, 6):
-        for k in (0, 5):
-            s.grow(*s.cell(i, -0.5, k), times=3, axis=1, sign=-1)
-    for i in range(7):
-        s.grow(*s.cell(i, 0.5, 0), times=2 if holes else 4, axis=1)
-    if holes:
-        for i in (0, 2, 4, 6):
-            s.grow(*s.cell(i, 2.5, 0), times=2, axis=1)
-        for i in (0, 2, 4):  # rails join the posts
-            s.add("solid_join", at=s.cell(i + 0.5, 4, 0), to=s.cell(i + 1.5, 4, 0))
+    feet, seat, size = (0, 1, 2), 3, (7, 8, 6)
+    gaps = [(i, j) for i in (1, 3, 5) for j in (4, 5, 6)] if holes else []
+
+    def stays(i, j, k):
+        if j in feet:
+            return i in (0, 6) and k in (0, 5)
+        return j == seat or (k == 0 and (i, j) not in gaps)
+
+    s.block(size, [(i, j, k) for i in range(7) for j in range(8) for k in range(6)
+                   if not stays(i, j, k)])
     s.add("solid_settings", damping=1, rope_strength=10, time_step=0.5)
-    s.add("solid_window", min=[-40, 6, -40], max=[40, 60, 40])
-    top = s.cell(3, 4.5, 0)
-    s.add("solid_spline", points=[s.cell(i, 4.5, 0) for i in (0, 2, 3, 4, 6)],
-          drag=[{"control": 2, "by": [0, 7, 0]}], steps=30)
-    s.add("solid_pull", steps=20, ropes=[{"at": top, "to": [top[0], top[1] + 5, top[2] - 8]}])
+    s.add("solid_window", min=[-40, 2, -40], max=[40, 60, 0])
+    s.add("solid_spline", points=[s.cell(i, 7.5, 0) for i in (0, 1.5, 3, 4.5, 6)],
+          drag=[{"control": n, "by": [0, up, -9]} for n, up in enumerate((-3, 3, 9, 3, -3))],
+          steps=40)
     s.add("solid_window")
     s.add("bake", levels=3, colour="#8a5a34")
     return s
 
 
 def mug():
+    """A hollow block, made round point by point; the handle is extruded and joined."""
     s = Session(8)
     inside = [(i, j, k) for i in range(1, 4) for k in range(1, 4) for j in range(1, 5)]
     s.block((5, 5, 5), inside)
-    s.grow(*s.cell(4.5, 3, 2), times=2, axis=0)
-    s.grow(*s.cell(4.5, 1, 2), times=2, axis=0)
-    s.add("solid_join", at=s.cell(6, 2.5, 2), to=s.cell(6, 1.5, 2))
+    for j in (1, 4):
+        s.grow(*s.cell(4.5, j, 2), times=2, axis=0)
+    s.add("solid_join", at=s.cell(6, 3.5, 2), to=s.cell(6, 1.5, 2))
+    for j in range(6):
+        for i in range(6):
+            for k in range(6):
+                x, z = (i - 2.5) * 8, (k - 2.5) * 8
+                square, round_ = max(abs(x), abs(z)), math.hypot(x, z)
+                if square < 8:
+                    continue
+                belly = 1 + 0.05 * math.sin(math.pi * j / 5)
+                want = square * (1.12 if square > 16 else 1.3) * belly / round_
+                s.add("solid_move", point=[i, j, k],
+                      by=[round(x * (want - 1), 6), 0, round(z * (want - 1), 6)])
     s.add("solid_sharp", what="face", at=s.cell(2, -0.5, 2))
-    s.add("solid_inflate", at=s.cell(2, 2, 2), radius=36, amount=0.15, steps=25)
     s.add("bake", levels=3, colour="#4a7fb0")
     return s
 
@@ -115,22 +137,24 @@ def soccer():
     """24 control cells, refined twice (table 1)."""
     s = Session(10)
     s.block((3, 2, 1))  # the trunk: 6
-    s.grow(*s.cell(1, 1.5, 0), times=2, axis=1)  # neck and head: 2
+    s.grow(*s.cell(1, 1.5, 0), axis=1, length=5)  # neck and head: 2
+    s.grow(*s.cell(1, 2, 0), axis=1, length=14)
     for side, i in ((-1, -0.5), (1, 2.5)):  # arms: 3 each
         s.grow(*s.cell(i, 1, 0), times=3, axis=0, sign=side)
     for i in (0, 2):  # legs: 4 each, and feet: 1 each
         s.grow(*s.cell(i, -0.5, 0), times=4, axis=1, sign=-1)
         s.add("solid_extrude", at=s.cell(i, -4, 0.5), length=9)
-    s.add("solid_settings", levels=2, damping=1, rope_strength=30, time_step=0.5, creep=0.3)
-    s.add("solid_inflate", at=s.cell(1, 3, 0), radius=16, amount=0.3, steps=25)
+    s.add("solid_settings", levels=2, damping=1, rope_strength=20, time_step=0.5, creep=0.3)
+    s.add("solid_inflate", at=s.cell(1, 2.9, 0), radius=13, amount=0.9, steps=40)
     s.add("solid_pull", steps=60, ropes=[
-        {"at": s.cell(2, -4, 0.9), "to": [26, -26, 34]},  # the foot at the ball
-        {"at": s.cell(0, -4, 0), "to": [-11, -42, -2]},
+        {"at": s.cell(2, -2, 0), "to": [11, -29, 13]},  # the knee
+        {"at": s.cell(2, -4, 0.9), "to": [12, -43, 21]},  # the foot at the ball
+        {"at": s.cell(0, -4, 0), "to": [-11, -47, -4]},
         {"at": s.cell(-3, 1, 0), "to": [-36, 18, 12]},
         {"at": s.cell(5, 1, 0), "to": [38, 14, -14]},
         {"at": s.cell(1, 3.4, 0), "to": [0, 28, 2]}])
     s.add("bake", levels=3, colour="#c0392b")
-    s.add("fill", shape="ellipsoid", center=[32, -31, 48], radii=[9, 9, 9], colour="#f0f0f0")
+    s.add("fill", shape="ellipsoid", center=[13, -45, 36], radii=[9, 9, 9], colour="#f0f0f0")
     return s
 
 
