@@ -203,8 +203,10 @@ BOZZETTO_KERNEL void Mesher<Side>::gatherRow(int i, int j, RowBits bits) {
     edges_.valueA[n] = *a;
     edges_.valueB[n] = *b;
     for (int d = 0; d < 3; ++d) {
-      edges_.gradientA[d][n] = a[kStride[d]] - a[-kStride[d]];
-      edges_.gradientB[d][n] = b[kStride[d]] - b[-kStride[d]];
+      edges_.belowA[d][n] = a[-kStride[d]];
+      edges_.aboveA[d][n] = a[kStride[d]];
+      edges_.belowB[d][n] = b[-kStride[d]];
+      edges_.aboveB[d][n] = b[kStride[d]];
     }
     edges_.place[n] = CrossingEdges::placeOf(i, j, k, axis);
     edges_.coloursA[n] = colourAt(row * kNodes + k);

@@ -20,6 +20,22 @@ BOZZETTO_KERNEL float crossingAt(float a, float b, float iso) {
   return (t + kRounder) - kRounder;
 }
 
+// What a neighbour would hold if density did not stop at 0 and 1: deposits and imports slope over
+// two cells and are flat outside, where differences would turn normals by up to 5 degrees.
+BOZZETTO_KERNEL float unclamped(float neighbour, float straightOn) {
+  const float less = straightOn < neighbour ? straightOn : neighbour;
+  const float more = straightOn > neighbour ? straightOn : neighbour;
+  const float low = neighbour > 0 ? neighbour : less;
+  return neighbour >= 1 ? more : low;
+}
+
+// Twice the derivative at a corner, from its neighbours along one axis.
+BOZZETTO_KERNEL float slope(float below, float here, float above) {
+  const float high = unclamped(above, 2 * here - below), low = unclamped(below, 2 * here - above);
+  const float inside = here > 0 ? high - low : above - below;
+  return here >= 1 ? above - below : inside;
+}
+
 BOZZETTO_KERNEL std::int32_t rounded(float x) {
   return static_cast<std::int32_t>(x + __builtin_copysignf(0.5f, x));
 }
@@ -52,9 +68,11 @@ BOZZETTO_KERNEL void finishKernel(CrossingEdges& e, int count, float iso) {
     e.position[0][n] = static_cast<float>(place & 255) + (axis == 0 ? t : 0.0f);
     e.position[1][n] = static_cast<float>(place >> 8 & 255) + (axis == 1 ? t : 0.0f);
     e.position[2][n] = static_cast<float>(place >> 16 & 255) + (axis == 2 ? t : 0.0f);
-    e.normal[n] = octahedral(-along(e.gradientA[0][n], e.gradientB[0][n]),
-                             -along(e.gradientA[1][n], e.gradientB[1][n]),
-                             -along(e.gradientA[2][n], e.gradientB[2][n]));
+    const auto falling = [&](int d) {
+      return -along(slope(e.belowA[d][n], a, e.aboveA[d][n]),
+                    slope(e.belowB[d][n], b, e.aboveB[d][n]));
+    };
+    e.normal[n] = octahedral(falling(0), falling(1), falling(2));
     // A corner without clay has no colour to give.
     float part = t * 256 + 0.5f;
     part = b > 0 ? part : 0.0f;

@@ -13,7 +13,7 @@ struct CrossingEdges {
 
   using Floats = std::array<float, kMost>;
   alignas(64) Floats valueA, valueB;  ///< smaller corner first
-  alignas(64) std::array<Floats, 3> gradientA, gradientB;
+  alignas(64) std::array<Floats, 3> belowA, aboveA, belowB, aboveB;  ///< neighbours by axis
   alignas(64) std::array<std::uint32_t, kMost> coloursA, coloursB;  ///< Attributes
   alignas(64) std::array<std::uint32_t, kMost> place;               ///< of the smaller corner
   alignas(64) std::array<Floats, 3> position;                       ///< out
