@@ -241,8 +241,11 @@ void addAll() {
   }
   for (const double radius : {8.0, 16.0, 32.0}) addDabs<1>(radius, 1);  // at 64: minutes a stroke
   rows::add("memory_ball", memoryBall);
-  rows::add("solid/radius:500", solid, 500.0);
-  if (freeGigabytes() > 14) rows::add("solid/radius:2000", solid, 2000.0);
+  for (const double radius : {500.0, 2000.0}) {
+    if (radius > 1000 && freeGigabytes() < 14) continue;
+    const std::string name = "solid/radius:" + std::to_string(static_cast<int>(radius));
+    rows::add(name, solid, radius)->Iterations(1)->Repetitions(1);
+  }
 }
 
 }  // namespace

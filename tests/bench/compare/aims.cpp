@@ -78,8 +78,8 @@ void addWholeDabAims(std::vector<Aim>& aims) {
                   {openvdb("whole_dab/radius:{r}")},
                   std::vector<double>(5, kNoAim)});
   aims.push_back({"dab in a scene of a million blocks against an empty one",
-                  {"dab_crowded/radius:{r}/threads:{t}"},
-                  {"dab_lonely/radius:{r}/threads:{t}"},
+                  {perDab("dab_crowded")},
+                  {perDab("dab_lonely")},
                   std::vector<double>(5, 1 / 1.3)});
 }
 
@@ -115,7 +115,11 @@ std::vector<Contest> contests() {
       {"bench_dab",
        {{"peer_openvdb", "whole_dab"}, {"peer_openvdb", "snapshot"}, {"peer_blender", ""}}},
       {"bench_scene", {{"peer_openvdb", "write_"}, {"peer_openvdb", "read_"}}},
-      {"bench_replay", {}}};
+      {"bench_replay", {}},
+      {"bench_freeform", {}},
+      {"bench_history", {}},
+      {"bench_clay", {}},
+      {"bench_solid", {}}};
 }
 
 std::vector<Aim> aims() {
