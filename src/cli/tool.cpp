@@ -72,7 +72,7 @@ void make(const MakeArguments& arguments) {
   const auto preset = presetFrom(arguments.preset);
   if (!preset.empty()) tool.preset = preset;
   sculptureOf(tool, {});  // refuses what is no tool, before anything is written
-  tool.thumbnail = thumbnailOf(tool.clay, progress);
+  tool.thumbnail = thumbnailOf(tool, progress);
   std::filesystem::path out = arguments.out;
   if (out.empty()) {
     out = userToolFolder() / (tool.name + ".bzt");
@@ -141,7 +141,7 @@ void render(const std::string& from, const std::string& out, int size) {
   ProgressBar progress;
   ToolSource source;
   source.from = from;
-  writeFile(out, pictureOf(toolFrom(source, progress).clay, size, progress));
+  writeFile(out, pictureOf(toolFrom(source, progress), size, progress));
 }
 
 void addMake(CLI::App& tool) {

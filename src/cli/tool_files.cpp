@@ -1,5 +1,8 @@
 #include "cli/tool_files.hpp"
 
+#include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
+
 #include "bozzetto/render/picture.hpp"
 #include "bozzetto/render/png.hpp"
 
@@ -14,18 +17,37 @@ ShelfTool toolFrom(const ToolSource& source, Progress& progress) {
   return tool;
 }
 
-Bytes pictureOf(const Clay& clay, int size, Progress& progress) {
+namespace {
+
+// Tools that are longer towards the clay than across it are seen from the side where they are
+// widest, working end in front; flat ones (ornaments, letters) as they lie on the clay.
+void turnToView(const ShelfTool& tool, PictureOptions& options) {
+  const KeyBox box = statistics(tool.clay).bounds;
+  const glm::dvec3 contact = glm::abs(tool.contact.value_or(glm::dvec3(0, 0, -1)));
+  const Key extent = box.high - box.low;
+  const bool alongZ = contact.z >= contact.x && contact.z >= contact.y;
+  if (box.empty() || !alongZ || extent.k <= extent.i || extent.k <= extent.j) return;
+  const bool thinInY = 5 * extent.j < 4 * extent.i;
+  options.yaw = glm::radians(thinInY ? 155.0 : 128.0);
+  options.pitch = glm::radians(thinInY ? 52.0 : 16.0);
+}
+
+}  // namespace
+
+Bytes pictureOf(const ShelfTool& tool, int size, Progress& progress) {
+  const Clay& clay = tool.clay;
   PictureOptions options;
   options.width = options.height = size;
+  turnToView(tool, options);
   Surface<8> surface;
   surface.rebuild(clay);
   return encodePng(renderPicture(surface, clay, options, progress));
 }
 
-Bytes thumbnailOf(const Clay& clay, Progress& progress) {
-  if (clay.tree.empty()) return {};
+Bytes thumbnailOf(const ShelfTool& tool, Progress& progress) {
+  if (tool.clay.tree.empty()) return {};
   try {
-    return pictureOf(clay, 128, progress);
+    return pictureOf(tool, 128, progress);
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {

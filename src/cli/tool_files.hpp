@@ -10,10 +10,10 @@ namespace bozzetto::cli {
 /// The tool of a file or "shelf:NAME"; pictures and meshes as the source says.
 ShelfTool toolFrom(const ToolSource& source, Progress& progress);
 
-/// A picture of it, PNG.
-Bytes pictureOf(const Clay& clay, int size, Progress& progress);
+/// A picture of it, PNG, from where one sees what it is.
+Bytes pictureOf(const ShelfTool& tool, int size, Progress& progress);
 
 /// A small one for lists; empty, with a note, where nothing can be drawn.
-Bytes thumbnailOf(const Clay& clay, Progress& progress);
+Bytes thumbnailOf(const ShelfTool& tool, Progress& progress);
 
 }  // namespace bozzetto::cli

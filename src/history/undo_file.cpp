@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kMagic = "bzzundo\n";
 constexpr std::uint32_t kVersion = 2, kWithoutSolids = 1;
-constexpr int kLevel = 1;
+constexpr int kLevel = 3;
 constexpr std::size_t kMostLabelBytes = 255;
 constexpr std::size_t kBatch = 16;  // records in memory at a time
 
