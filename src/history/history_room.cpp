@@ -12,7 +12,8 @@ constexpr std::size_t kStepsBetweenAnchors = 500;
 constexpr std::uint64_t kBytesBetweenAnchors = 256u << 20;
 
 constexpr std::size_t kCheckpointsKept = 2;
-constexpr std::size_t kLeastSteps = 10;  // stay undoable whatever the memory
+constexpr std::size_t kLeastSteps = 10;    // stay undoable whatever the memory
+constexpr std::size_t kMostSteps = 1'000;  // that have a file are held as blocks as well
 
 }  // namespace
 
@@ -137,7 +138,10 @@ void History<Side>::State::letGo(Change change) {
 // Blocks that a file has go first; without a folder, old steps are packed, then forgotten.
 template <int Side>
 void History<Side>::State::shrinkMemory() {
-  while (memoryBytes() > parts.limits.memoryBytes && packOldest()) {
+  const auto tooMuch = [&] {
+    return memoryBytes() > parts.limits.memoryBytes || (parts.journal && cache.size() > kMostSteps);
+  };
+  while (tooMuch() && packOldest()) {
   }
   while (!parts.journal && packedBytes > parts.limits.memoryBytes &&
          parts.tree.size() > kLeastSteps) {

@@ -190,6 +190,20 @@ TEST_F(Recovery, rotationKeepsTheNewestAndWhatRecoveryNeeds) {
   }
 }
 
+TEST_F(Recovery, aDeepHistoryIsNotHeldInMemory) {
+  Sitting s(open(HistoryAccess::write, 0));
+  std::size_t thousand = 0;
+  for (int n = 1; n <= 1500; ++n) {
+    s.change();
+    if (n % 50 == 0) s.history.waitDurable();
+    if (n == 1000) thousand = s.history.memoryBytes();
+  }
+  EXPECT_LT(s.history.memoryBytes(), thousand + thousand / 4);
+  EXPECT_EQ(s.history.undoDepth(), 1500u);
+  s.goTo(3);
+  EXPECT_TRUE(s.asItWas()) << "from the disk";
+}
+
 TEST_F(Recovery, aDiskBudgetIsKept) {
   HistoryLimits limits;
   limits.steps = 0;
