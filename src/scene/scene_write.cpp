@@ -82,33 +82,54 @@ std::size_t writeParts(Database& database, const Document& document) {
   return bytes;
 }
 
+// The rows of a scene's chunks while they are written.
+class ChunkRows {
+ public:
+  ChunkRows(Database& database, std::map<Key, std::int64_t>& rows)
+      : writer_(database, Table::chunks), rows_(rows) {
+    for (const auto& [tile, row] : rows) last_ = std::max(last_, row);
+  }
+
+  /// Bytes written; an empty chunk gives up its row.
+  std::size_t put(Key tile, const Bytes& chunk) {
+    const auto row = rows_.find(tile);
+    if (chunk.empty()) {
+      if (row != rows_.end()) writer_.erase(row->second);
+      if (row != rows_.end()) rows_.erase(row);
+      return 0;
+    }
+    const std::int64_t id = row != rows_.end() ? row->second : ++last_;
+    rows_[tile] = id;
+    return writer_.put(id, chunk);
+  }
+
+ private:
+  RowWriter writer_;
+  std::map<Key, std::int64_t>& rows_;
+  std::int64_t last_ = 0;
+};
+
+std::vector<Bytes> encodedChunks(const Clay& clay, std::span<const Key> tiles) {
+  std::vector<Bytes> encoded(tiles.size());
+  parallelFor(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const Chunk chunk = chunkAt(clay.tree, tiles[n]);
+      encoded[n] = chunk.runs.empty() ? Bytes() : encodeChunk(chunk);
+    }
+  });
+  return encoded;
+}
+
 // Chunks are encoded on threads, batch by batch; SQLite stays on this one.
-void writeChunks(Database& database, const Document& document, const std::vector<Key>& tiles,
-                 std::map<Key, std::int64_t>& rows, SaveReport& report, Progress& progress) {
-  RowWriter writer(database, Table::chunks);
-  std::int64_t last = 0;
-  for (const auto& [tile, row] : rows) last = std::max(last, row);
-  std::vector<Bytes> encoded(kBatch);
+void writeChunks(ChunkRows rows, const Clay& clay, std::span<const Key> tiles, SaveReport& report,
+                 Progress& progress) {
   for (std::size_t first = 0; first < tiles.size(); first += kBatch) {
     progress.step("save", static_cast<double>(first) / static_cast<double>(tiles.size()));
-    const std::size_t count = std::min(kBatch, tiles.size() - first);
-    parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        const Chunk chunk = chunkAt(document.field.tree, tiles[first + n]);
-        encoded[n] = chunk.runs.empty() ? Bytes() : encodeChunk(chunk);
-      }
-    });
-    for (std::size_t n = 0; n < count; ++n) {
-      const auto row = rows.find(tiles[first + n]);
-      if (encoded[n].empty()) {
-        if (row != rows.end()) writer.erase(row->second);
-        if (row != rows.end()) rows.erase(row);
-        continue;
-      }
-      const std::int64_t id = row != rows.end() ? row->second : ++last;
-      rows[tiles[first + n]] = id;
-      report.bytesWritten += writer.put(id, encoded[n]);
-      ++report.chunksWritten;
+    const auto batch = tiles.subspan(first, std::min(kBatch, tiles.size() - first));
+    const std::vector<Bytes> encoded = encodedChunks(clay, batch);
+    for (std::size_t n = 0; n < batch.size(); ++n) {
+      report.bytesWritten += rows.put(batch[n], encoded[n]);
+      if (!encoded[n].empty()) ++report.chunksWritten;
     }
   }
 }
@@ -145,7 +166,7 @@ SaveReport writeScene(Database& database, const Document& document, const TileCh
   std::map<Key, std::int64_t> newRows = rows;
   Transaction transaction(database);
   if (changes.parts) report.bytesWritten += writeParts(database, document);
-  writeChunks(database, document, changes.written, newRows, report, progress);
+  writeChunks(ChunkRows(database, newRows), document.field, changes.written, report, progress);
   writeDigest(database);
   progress.step("save", 1);
   transaction.commit();
