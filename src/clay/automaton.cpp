@@ -66,7 +66,10 @@ void Automaton::sweepOut(Work& work) {
       while (way < 6 && region.cover[next] > 0.5f && region.hold[next] != kFixed)
         next += region.neighbours()[static_cast<std::size_t>(way)];
       if (next == cell && way < 6) next += region.neighbours()[static_cast<std::size_t>(way)];
-      if (way < 6 && region.hold[next] != kFixed) region.carry(cell, next, over);
+      if (way == 6 || region.hold[next] == kFixed) continue;
+      region.carry(cell, next, over);
+      region.touch(cell);
+      region.touch(next);
     }
 }
 
@@ -150,12 +153,22 @@ bool Automaton::sweep(Work& work, int parity) {
   parallelFor(tiles_.size(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) hot_[n] = sweepTile(work, tiles_[n], parity) ? 1 : 0;
   });
-  return std::find(hot_.begin(), hot_.end(), 1) != hot_.end();
+  bool any = false;
+  for (std::size_t n = 0; n < tiles_.size(); ++n) {
+    if (hot_[n] == 0) continue;
+    any = true;
+    // Odd blocks reach into the next tiles.
+    for (int c = 0; c < 8; ++c)
+      work.region.touch(
+          work.region.index(tiles_[n] + Key{c >> 2, c >> 1 & 1, c & 1} * (Region::kTile * parity)));
+  }
+  return any;
 }
 
 // Until nobody gives on even keys nor on odd ones; closed narrow tubes may swing for ever, so no
 // more than so many sweeps (Takai §2.3).
 void Automaton::run(Work& work) {
+  pulling_.drag(work);
   sweepOut(work);
   paintSwelling(work);
   findHot(work);
@@ -165,6 +178,7 @@ void Automaton::run(Work& work) {
     quiet = given ? 0 : quiet + 1;
     if (given && n % 8 == 7) findHot(work);
   }
+  pulling_.share(work);
 }
 
 }  // namespace bozzetto::clay

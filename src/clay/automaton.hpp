@@ -2,6 +2,7 @@
 // cells that hold too much give to those that do not.
 #pragma once
 #include "clay/layer.hpp"
+#include "clay/pulling.hpp"
 
 namespace bozzetto::clay {
 
@@ -28,6 +29,7 @@ class Automaton final : public Layer {
   bool sweepTile(Work& work, Key tile, int parity);
   void spreadHeat(const Region& region);
 
+  Pulling pulling_;
   std::vector<Key> tiles_;         // to be visited
   std::vector<std::uint8_t> hot_;  // of these: had something to give
 };

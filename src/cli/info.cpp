@@ -53,6 +53,7 @@ Json describe(const std::string& path, const Document& document) {
           {"bytes_memory", matter.bytes + surface.bytes()},
           {"bytes_file", std::filesystem::file_size(path)},
           {"history_steps", historySteps(path)},
+          {"supports", document.parts.supports.size()},
           {"bytes_thumbnail", document.parts.thumbnail.size()}};
 }
 

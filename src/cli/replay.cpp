@@ -64,10 +64,12 @@ std::vector<OperationReport> replayToFile(const Arguments& arguments, const Reco
   if (arguments.spacing != 0) options.spacing = arguments.spacing;
   options.solid = decodeSolid(document.parts.solid, arguments.from);
   options.shelf = document.parts.shelf;
+  options.supports = document.parts.supports;
   ReplayResult result = replay(recording, document.field, options, progress);
   document.field = std::move(result.field);
   document.parts.solid = encodeSolid(result.solid);
   document.parts.shelf = std::move(result.shelf);
+  document.parts.supports = std::move(result.supports);
   document.parts.thumbnail = thumbnailOf(document.field);
   saveScene(arguments.out, document, progress);
   return std::move(result.reports);

@@ -7,6 +7,7 @@ namespace bozzetto {
 namespace {
 
 constexpr std::size_t kMostName = 255, kMostTags = 255, kMostSettings = 4096, kMostLights = 64;
+constexpr std::size_t kMostSupports = 4096;
 constexpr std::size_t kMostThumbnail = std::size_t{16} << 20, kMostText = std::size_t{1} << 20;
 
 using ByteView = std::span<const std::byte>;
@@ -209,6 +210,42 @@ ShelfItem decodeItem(std::span<const std::byte> bytes, const std::string& name) 
   item.thumbnail = checkedThumbnail(getBytes(in, kMostThumbnail, name), name);
   requireEnd(in, name);
   return item;
+}
+
+Bytes encodeSupports(const std::vector<clay::Support>& supports) {
+  ByteWriter out;
+  out.put(static_cast<std::uint32_t>(supports.size()));
+  for (const clay::Support& support : supports) {
+    const glm::dquat& q = support.rotation;
+    out.put(static_cast<std::uint8_t>(support.shape));
+    putVector(out, support.centre);
+    putVector(out, support.radii);
+    for (const double number : {q.w, q.x, q.y, q.z}) out.put(number);
+  }
+  return out.take();
+}
+
+std::vector<clay::Support> decodeSupports(std::span<const std::byte> bytes,
+                                          const std::string& name) {
+  ByteReader in(bytes, name);
+  std::vector<clay::Support> supports;
+  const std::uint32_t count = getCount(in, kMostSupports, name);
+  for (std::uint32_t n = 0; n < count; ++n) {
+    clay::Support support;
+    support.shape = static_cast<Shape>(getChoice(in, static_cast<int>(Shape::freeform), name));
+    support.centre = getVector(in, name);
+    support.radii = getVector(in, name);
+    const double w = getNumber(in, name), x = getNumber(in, name), y = getNumber(in, name);
+    support.rotation = glm::dquat(w, x, y, getNumber(in, name));
+    try {
+      clay::requireValid(support);
+    } catch (const Error& error) {
+      refuse(name, error.what());
+    }
+    supports.push_back(support);
+  }
+  requireEnd(in, name);
+  return supports;
 }
 
 Bytes checkedThumbnail(std::span<const std::byte> bytes, const std::string& name) {

@@ -24,6 +24,10 @@ View decodeView(std::span<const std::byte> bytes, const std::string& name);
 Bytes encodeItem(const ShelfItem& item);
 ShelfItem decodeItem(std::span<const std::byte> bytes, const std::string& name);
 
+Bytes encodeSupports(const std::vector<clay::Support>& supports);
+std::vector<clay::Support> decodeSupports(std::span<const std::byte> bytes,
+                                          const std::string& name);
+
 /// Empty, or bytes that begin as a PNG does and are no more than 16 MiB.
 Bytes checkedThumbnail(std::span<const std::byte> bytes, const std::string& name);
 

@@ -134,7 +134,8 @@ void readParts(const Database& database, const std::vector<Row>& rows, Document&
     const Row& row = rows[n];
     const std::string name = rowName(database, Table::parts, row.id);
     requireHash(name, Table::parts, row);
-    if (n >= 4 || row.id != static_cast<std::int64_t>(n) + 1) throw Error(name + ": unknown part");
+    const bool known = n < 3 ? row.id == static_cast<std::int64_t>(n) + 1 : row.id <= kLastPart;
+    if (!known) throw Error(name + ": unknown part");
     if (row.id == static_cast<std::int64_t>(Part::head)) {
       SceneHead head = decodeHead(row.content, name);
       document.field.scale = head.scale;
@@ -151,9 +152,13 @@ void readParts(const Database& database, const std::vector<Row>& rows, Document&
       if (decodeSolid(row.content, name) == nullptr) throw Error(name + ": no solid found");
       document.parts.solid = row.content;
     }
+    if (row.id == static_cast<std::int64_t>(Part::supports)) {
+      document.parts.supports = decodeSupports(row.content, name);
+      if (document.parts.supports.empty()) throw Error(name + ": no supports found");
+    }
   }
   if (rows.size() < 3) {
-    throw Error(database.name() + ": " + std::to_string(rows.size()) + " parts, 3 or 4 expected");
+    throw Error(database.name() + ": " + std::to_string(rows.size()) + " parts, 3 to 5 expected");
   }
 }
 

@@ -72,6 +72,13 @@ std::size_t writeParts(Database& database, const Document& document) {
   } else {
     bytes += rows.put(static_cast<std::int64_t>(Part::solid), parts.solid);
   }
+  const Bytes supports = encodeSupports(parts.supports);
+  decodeSupports(supports, name + ": cannot save supports");
+  if (parts.supports.empty()) {
+    rows.erase(static_cast<std::int64_t>(Part::supports));
+  } else {
+    bytes += rows.put(static_cast<std::int64_t>(Part::supports), supports);
+  }
   database.run("DELETE FROM shelf");
   RowWriter shelf(database, Table::shelf);
   for (std::size_t n = 0; n < parts.shelf.size(); ++n) {

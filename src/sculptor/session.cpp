@@ -88,6 +88,7 @@ Session::Session(fs::path path, Opened opened, const SessionOptions& options)
       sculptor_(std::move(opened.history.field), std::move(opened.history.history),
                 options.upkeep) {
   sculptor_.tools().shelf = parts.shelf;
+  sculptor_.place(parts.supports);
 }
 
 Session Session::begin(const fs::path& scene, HistoryAccess access, const SessionOptions& options,
@@ -188,6 +189,7 @@ Document Session::document() const {
   Document document{sculptor_.field(), parts};
   document.parts.shelf = sculptor_.tools().shelf;
   document.parts.solid = encodeSolid(sculptor_.solid());
+  document.parts.supports = sculptor_.clay().supports;
   document.parts.settings[kPlaceSetting] = sculptor_.history().savePlace().text();
   return document;
 }
@@ -201,6 +203,7 @@ bool Session::untouched() const {
 bool Session::saved() const {
   SceneParts now = parts;
   now.shelf = sculptor_.tools().shelf;
+  now.supports = sculptor_.clay().supports;
   return now == savedParts_ && (sculptor_.history().atSaved() || untouched());
 }
 

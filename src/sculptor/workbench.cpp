@@ -70,7 +70,15 @@ void Workbench<Side>::keep(Edit<Block>& edit, const FieldScale& scale, Operation
   if (!std::exchange(followed_, false)) show(*delta, report);
   Bytes picture = takePicture ? takePicture() : Bytes();
   const Timer timer(report.msHistory);
+  rememberSupports();
   history_.push(std::move(delta), {report.op, before, scale}, nextSolid_, std::move(picture));
+}
+
+// Those of the state we are about to leave.
+template <int Side>
+void Workbench<Side>::rememberSupports() {
+  std::erase_if(supports_, [&](const auto& each) { return !history_.tree().has(each.first); });
+  supports_[history_.place()] = clay.supports;
 }
 
 template <int Side>
@@ -125,6 +133,7 @@ void Workbench<Side>::note(std::span<const Run> changed, const RefreshReport& re
 template <int Side>
 std::string Workbench<Side>::goTo(StepNumber state, OperationReport& report) {
   typename History<Side>::Journey journey;
+  rememberSupports();
   {
     const Timer timer(report.msHistory);
     journey = history_.goTo(state, field_.tree, field_.scale);
@@ -132,6 +141,8 @@ std::string Workbench<Side>::goTo(StepNumber state, OperationReport& report) {
   }
   field_.scale = journey.scale;
   nextSolid_ = history_.solid();
+  const auto supports = supports_.find(history_.place());
+  if (supports != supports_.end()) clay.supports = supports->second;
   report.changedBlocks += journey.delta->changes.size();
   show(*journey.delta, report);
   return journey.trouble;

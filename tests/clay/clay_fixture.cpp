@@ -118,6 +118,20 @@ Measures measure(const Clay& clay) {
   return result;
 }
 
+std::int64_t cleanCorners(const Clay& clay) {
+  const Dense d(clay);
+  const float iso = clay.scale.iso;
+  const std::size_t rim = d.nj * d.nk + d.nk + 1;
+  std::int64_t count = 0;
+  for (std::size_t n = rim; n + rim < d.value.size(); ++n) {
+    bool near = false;
+    for (std::ptrdiff_t c = 0; c < 27 && !near; ++c)
+      near = d.value[n + (c / 9 - 1) * d.nj * d.nk + (c / 3 % 3 - 1) * d.nk + c % 3 - 1] >= iso;
+    count += near ? 1 : 0;
+  }
+  return count;
+}
+
 std::int64_t run(Clay& clay, const Push& push) {
   Edit<CornerBlock<8>> edit(clay.tree);
   ClayStroke<8> stroke(edit, clay.scale, push.tool, {push.role, 0.5}, push.stroke, push.setup);

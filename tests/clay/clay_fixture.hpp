@@ -46,6 +46,9 @@ struct Measures {
 
 Measures measure(const Clay& clay);
 
+/// Corners that a clean body of this shape would store: those inside, and one ring of 26.
+std::int64_t cleanCorners(const Clay& clay);
+
 /// A stroke of a tool through points; a rotation a point or none.
 struct Push {
   ToolShape tool;

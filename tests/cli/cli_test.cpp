@@ -60,7 +60,7 @@ TEST(Cli, infoHasAllItPromises) {
   for (const char* key :
        {"corners", "bricks", "cubes", "crossing_cubes", "edges", "triangles", "components", "mass",
         "volume", "area", "bounds", "spacing", "iso", "field_hash", "bytes_memory", "bytes_file",
-        "history_steps", "bytes_thumbnail"}) {
+        "history_steps", "supports", "bytes_thumbnail"}) {
     EXPECT_TRUE(info.contains(key)) << key;
   }
   EXPECT_EQ(info["field_hash"].get<std::string>().size(), 16u);

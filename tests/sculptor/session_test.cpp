@@ -55,6 +55,36 @@ TEST_F(Sessions, aDocumentIsSavedWithItsHistory) {
   EXPECT_TRUE(session.sculptor().field().tree.empty());
 }
 
+// Supports are saved, and whoever goes back to a state finds those it had.
+TEST_F(Sessions, supportsBelongToTheScene) {
+  const auto standing = [](const Session& session) {
+    return session.sculptor().clay().supports.size();
+  };
+  {
+    Session session = Session::create(scene_);
+    Sculptor& sculptor = session.sculptor();
+    sculptor.apply(fillAt(0));
+    sculptor.apply(SupportOperation{{Shape::box, {0, -20, 0}, {30, 5, 30}}});
+    EXPECT_FALSE(session.saved());
+    sculptor.apply(fillAt(9));
+    sculptor.apply(SupportOperation{{Shape::cylinder, {0, 20, 0}, {4, 5, 4}}});
+    EXPECT_EQ(standing(session), 2u);
+    sculptor.apply(UndoOperation{});
+    EXPECT_EQ(standing(session), 1u) << "the table, which stood when the second ball was made";
+    sculptor.apply(UndoOperation{});
+    EXPECT_EQ(standing(session), 0u);
+    sculptor.apply(RedoOperation{2});
+    EXPECT_EQ(standing(session), 2u);
+    session.save();
+    EXPECT_TRUE(session.saved());
+  }
+  Session session = Session::open(scene_);
+  ASSERT_EQ(standing(session), 2u);
+  EXPECT_EQ(session.sculptor().clay().supports[1].shape, Shape::cylinder);
+  EXPECT_EQ(session.sculptor().clay().supports[0].centre, glm::dvec3(0, -20, 0));
+  EXPECT_TRUE(session.saved());
+}
+
 TEST_F(Sessions, whatWasNotSavedComesBack) {
   std::uint64_t hash = 0;
   {

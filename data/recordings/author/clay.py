@@ -4,6 +4,7 @@ import math
 import sys
 
 CLAY = "#b06a4a"
+DOWN = [math.sqrt(0.5), -math.sqrt(0.5), 0, 0]
 ALONG_Z = [math.sqrt(0.5), math.sqrt(0.5), 0, 0]
 
 
@@ -164,6 +165,38 @@ def raffin(profile=None):
     return s
 
 
+def raffin_ball():
+    s = Session()
+    s.solid("box", [0, 0, 0], [25, 25, 25])
+    s.clay(layers=["diffusion"], walk=10)
+    s.move("push", "ellipsoid", [12, 12, 12], [[0, 38, 0], [0, 25, 0]])
+    return s
+
+
+def raffin_star(viscosity=0):
+    """Figure 7: a cube pushed into by a star-shaped tip, without viscosity and with."""
+    s = Session()
+    s.solid("box", [0, 0, 0], [25, 25, 25])
+    s.clay(layers=["diffusion"], walk=10, viscosity=viscosity, profile="linear")
+    s.add("tool", shape="freeform", scale=[2.4, 2.4, 2.4], rotation=DOWN, **{"from": "shelf:star tip"})
+    s.add("action", name="push")
+    s.add("stroke", points=[[0, 27, 0], [0, 12, 0]])
+    return s
+
+
+def prints():
+    """Sculpted tools pressed into fluid clay: letters and a leaf."""
+    s = Session()
+    s.solid("box", [0, 0, 0], [62, 10, 30])
+    s.hold([-70, -20, -40], [70, -7, 40])
+    s.clay(stiffness=0)
+    for name, x, size in (("letter B", -40, 1.8), ("leaf", -4, 1.2), ("star tip", 38, 2.2)):
+        s.add("tool", shape="freeform", scale=[size] * 3, rotation=DOWN, **{"from": "shelf:" + name})
+        s.add("action", name="push")
+        s.add("stroke", points=[[x, 16, 0], [x, 6, 0]])
+    return s
+
+
 def column():
     s = Session()
     s.solid("cylinder", [0, 32, 0], [16, 32, 16])
@@ -246,7 +279,9 @@ def figure():
 ALL = {"bend": bend, "bend_push": bend_push, "twist": twist, "hole_thin": hole_thin,
        "hole_thick": hole_thick, "folds": folds, "neck": neck, "plough": plough,
        "raffin": raffin, "raffin_linear": lambda: raffin("linear"),
-       "raffin_gaussian": lambda: raffin("gaussian"), "column": column, "cube": cube,
+       "raffin_gaussian": lambda: raffin("gaussian"), "raffin_ball": raffin_ball,
+       "raffin_star": raffin_star, "raffin_star_viscous": lambda: raffin_star(7),
+       "prints": prints, "column": column, "cube": cube,
        "board": board, "chair": chair, "cup": cup, "figure": figure}
 
 if __name__ == "__main__":

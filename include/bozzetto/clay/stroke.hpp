@@ -14,6 +14,8 @@ struct Support {
   glm::dvec3 centre{0};             ///< world units
   glm::dvec3 radii{8, 8, 8};        ///< world units; its surface
   glm::dquat rotation{1, 0, 0, 0};  ///< w, x, y, z
+
+  friend bool operator==(const Support&, const Support&) = default;
 };
 
 /// What a stroke meets beside the clay.

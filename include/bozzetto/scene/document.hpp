@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bozzetto/base/bytes.hpp"
+#include "bozzetto/clay/stroke.hpp"
 #include "bozzetto/field/field.hpp"
 #include "bozzetto/scene/shelf.hpp"
 #include "bozzetto/scene/view.hpp"
@@ -32,6 +33,7 @@ struct SceneParts {
   std::vector<ShelfItem> shelf;
   Bytes thumbnail;  ///< a PNG, or empty
   Bytes solid;      ///< the solid being worked on, as encodeSolid gives it, or empty
+  std::vector<clay::Support> supports;  ///< what pushed and gripped clay meets
 
   friend bool operator==(const SceneParts&, const SceneParts&) = default;
 };

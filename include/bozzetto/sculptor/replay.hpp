@@ -14,15 +14,17 @@ struct ReplayOptions {
   /// World units per cell in place of what the recording (or the clay it starts on) says. The clay
   /// is resampled first; later resample operations are scaled by the same factor.
   std::optional<double> spacing;
-  SolidRef solid;                  ///< of the document it starts on
-  std::vector<ShelfItem> shelf{};  ///< of the document
-  int depth = 0;                   ///< of recordings that make tools for recordings
+  SolidRef solid;                         ///< of the document it starts on
+  std::vector<ShelfItem> shelf{};         ///< of the document
+  std::vector<clay::Support> supports{};  ///< of the document
+  int depth = 0;                          ///< of recordings that make tools for recordings
 };
 
 struct ReplayResult {
   Clay field;
   SolidRef solid;                        ///< null when there is none
   std::vector<ShelfItem> shelf;          ///< of the document
+  std::vector<clay::Support> supports;   ///< of the document
   std::vector<OperationReport> reports;  ///< one an operation
 };
 

@@ -31,6 +31,8 @@ class BasicSculptor {
 
   /// The solid of a document just opened: no step of history.
   void place(SolidRef solid) { bench_.placeSolid(std::move(solid)); }
+  /// The supports of a document just opened: no step of history.
+  void place(std::vector<clay::Support> supports) { bench_.clay.supports = std::move(supports); }
   /// The solid being worked on; null when there is none.
   const SolidRef& solid() const { return bench_.solid(); }
 

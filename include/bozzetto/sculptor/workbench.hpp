@@ -2,6 +2,7 @@
 // sculptor holds in the hand. Operations change the clay through an Edit and `keep` it.
 #pragma once
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -69,7 +70,9 @@ class Workbench {
 
   Hand hand;
   ToolLibrary tools;  ///< where names of tools lead; no step of history
-  clay::Setup clay;   ///< what strokes that move clay meet; no step of history
+  /// What strokes that move clay meet; no step of history. Supports belong to the state they were
+  /// set in: who goes back there finds them again.
+  clay::Setup clay;
 
   /// The clay, for an Edit.
   Tree& tree() { return field_.tree; }
@@ -97,12 +100,14 @@ class Workbench {
   template <class Run>
   void note(std::span<const Run> changed, const RefreshReport& report);
   void account(const Delta<Block>& delta);
+  void rememberSupports();
 
   Field<Side> field_;
   Surface<Side> surface_;
   SurfaceChanges changes_;
   History<Side> history_;
   SolidRef nextSolid_;
+  std::map<StepNumber, std::vector<clay::Support>> supports_;  // of states since opening
   SurfaceUpkeep upkeep_;
   bool followed_ = false;  // the surface has followed the present edit
   MassSum massUnits_ = 0;

@@ -1,0 +1,230 @@
+// What the program promises of clay (README, src/clay/NOTES.md), stated literally and held to it.
+#include "bozzetto/clay/hold.hpp"
+#include "clay/clay_fixture.hpp"
+
+namespace bozzetto::clay::testing {
+namespace {
+
+Push pushOf(Shape shape, glm::dvec3 radii, double stiffness) {
+  Push push{toolOf(shape, radii), Role::push, {}, {}};
+  push.setup.settings.stiffness = stiffness;
+  return push;
+}
+
+Settings running(std::vector<LayerKind> layers, Scheme scheme = Scheme::projected) {
+  Settings settings;
+  settings.layers = std::move(layers);
+  settings.scheme = scheme;
+  return settings;
+}
+
+// Drift ≤ 1e-6 of the total over 1,000 steps of every layer: to and fro, in and out.
+TEST(Promises, SlowAThousandStepsOfEveryLayerKeepTheMass) {
+  using enum LayerKind;
+  Settings viscous = running({diffusion});
+  viscous.viscosity = 3;
+  const Settings all[] = {running({displacement, conservation, tension}),
+                          running({displacement, conservation, tension}, Scheme::paper),
+                          running({displacement}),
+                          running({conservation}),
+                          running({tension}),
+                          running({diffusion}),
+                          viscous,
+                          running({automaton})};
+  for (const Settings& settings : all) {
+    Clay clay;
+    addSolid(clay, Shape::box, {3.5, 3.5, 3.5}, {7, 4, 7});
+    const double before = statistics(clay).mass;
+    Push push = pushOf(Shape::ellipsoid, {3, 3, 3}, 0.5);
+    push.setup.settings = settings;
+    for (int n = 0; n < 32; ++n) {
+      const double x = n % 5 * 2, z = n % 7;
+      push.stroke.points.push_back({{x, n % 2 == 0 ? 11.0 : 5.0, z}, 1});
+    }
+    std::int64_t steps = 0;
+    while (steps < 1000) steps += run(clay, push);
+    EXPECT_NEAR(statistics(clay).mass / before, 1, 1e-6) << toText(settings.layers.front());
+  }
+}
+
+// Bent by 90° with a rotating grip round a cylinder.
+TEST(Promises, SlowABendKeepsVolumeAndEdges) {
+  Clay clay;
+  addSolid(clay, Shape::box, {48, 65, 12}, {36, 5, 5});
+  holdBox(clay, {8, 55, 0}, {23, 75, 24});
+  const Measures before = measure(clay);
+  Push push = pushOf(Shape::cylinder, {7, 9, 7}, 1);
+  push.role = Role::grip;
+  push.tool.rotation = glm::angleAxis(std::acos(-1.0) / 2, glm::dvec3(1, 0, 0));
+  const glm::dvec3 hinge(42, 53, 12), start(76, 65, 12);
+  for (int n = 0; n <= 120; ++n) {
+    const glm::dquat turn = glm::angleAxis(-std::acos(-1.0) / 2 * n / 120, glm::dvec3(0, 0, 1));
+    push.stroke.points.push_back({hinge + turn * (start - hinge), 1});
+    push.stroke.rotations.push_back(turn);
+  }
+  push.setup.supports = {{Shape::cylinder, hinge, {7, 9, 7}, push.tool.rotation}};
+  run(clay, push);
+  const Measures after = measure(clay);
+  EXPECT_NEAR(after.volume / before.volume, 1, 0.005);
+  EXPECT_EQ(after.pieces, 1);
+  EXPECT_LT(after.thickness, 2.4);
+}
+
+TEST(Promises, SlowAStretchKeepsVolumeAndHangsTogether) {
+  Clay clay;
+  addSolid(clay, Shape::box, {32, 16, 16}, {24, 6, 6});
+  holdBox(clay, {0, 0, 0}, {15, 31, 31});
+  const Measures before = measure(clay);
+  Push push = pushOf(Shape::box, {4, 9, 9}, 1);
+  push.role = Role::grip;
+  push.stroke.points = {{{52, 16, 16}, 1}, {{85, 16, 16}, 1}};  // 44 free cells and 33 more: × 1.75
+  run(clay, push);
+  const Measures after = measure(clay);
+  EXPECT_NEAR(after.volume / before.volume, 1, 0.015);
+  EXPECT_EQ(after.pieces, 1);
+}
+
+// Volume above and missing below the plane of a slab's top. What is fuller than full is hidden: it
+// does not count.
+struct Furrow {
+  double rim = 0, groove = 0;
+};
+
+Furrow furrowOf(const Clay& before, const Clay& after, const KeyBox& box) {
+  Furrow furrow;
+  for (std::int32_t i = box.low.i; i <= box.high.i; ++i)
+    for (std::int32_t k = box.low.k; k <= box.high.k; ++k) {
+      double change = 0;
+      for (std::int32_t j = box.low.j; j <= box.high.j; ++j)
+        change += std::min(after.value({i, j, k}), 1.0f) - before.value({i, j, k});
+      (change > 0 ? furrow.rim : furrow.groove) += std::abs(change);
+    }
+  return furrow;
+}
+
+TEST(Promises, SlowAFurrowsRimIsItsGroove) {
+  Clay clay;
+  addSolid(clay, Shape::box, {70, 12, 32}, {66, 10, 28});
+  holdBox(clay, {0, 0, 0}, {140, 4, 64});
+  const Clay before = clay;
+  Push push = pushOf(Shape::ellipsoid, {7, 7, 7}, 0);
+  push.stroke.points = {{{20, 32, 32}, 1}, {{20, 24, 32}, 1}, {{120, 24, 32}, 1}};
+  run(clay, push);
+  const Furrow furrow = furrowOf(before, clay, {{-4, -4, -4}, {144, 50, 70}});
+  EXPECT_GT(furrow.groove, 3000);
+  EXPECT_NEAR(furrow.rim / furrow.groove, 1, 0.005);
+}
+
+// Ball of 10 driven in until its middle is level with the top.
+TEST(Promises, SlowAPrintHasTheRimOfThePrototype) {
+  Clay clay;
+  addSolid(clay, Shape::box, {36, 14.5, 36}, {30, 12.5, 30});
+  holdBox(clay, {0, 0, 0}, {72, 4, 72});
+  Push push = pushOf(Shape::ellipsoid, {10, 10, 10}, 0);
+  push.stroke.points = {{{36, 38, 36}, 1}, {{36, 27, 36}, 1}};
+  run(clay, push);
+  const auto heightAt = [&](int i) {
+    for (int j = 50; j > 0; --j) {
+      const double v = clay.value({i, j, 36}), above = clay.value({i, j + 1, 36});
+      if (v >= 0.5) return j + (v - 0.5) / (v - above + 1e-9) - 27;
+    }
+    return -27.0;
+  };
+  for (const int beside : {46, 48}) {
+    EXPECT_GT(heightAt(beside), 2.0);
+    EXPECT_LT(heightAt(beside), 2.8);
+  }
+  EXPECT_LT(heightAt(54), 0.7);
+}
+
+// Nothing over the threshold inside a tool that has room round it.
+TEST(Promises, SlowToolsWithRoomHoldNothing) {
+  for (const double stiffness : {0.0, 0.3, 1.0}) {
+    Clay clay;
+    addSolid(clay, Shape::box, {0, 0, 0}, {24, 10, 24});
+    holdBox(clay, {-30, -12, -30}, {30, -8, 30});
+    Push push = pushOf(Shape::ellipsoid, {6, 6, 6}, stiffness);
+    push.stroke.points = {{{-8, 18, 0}, 1}, {{-8, 10, 0}, 1}, {{8, 10, 2}, 1}};
+    run(clay, push);
+    for (int n = 0; n < 13 * 13 * 13; ++n) {
+      const Key key{n / 169 + 2, n / 13 % 13 + 4, n % 13 - 4};
+      const double depth =
+          6 - std::sqrt(std::pow(key.i - 8, 2) + std::pow(key.j - 10, 2) + std::pow(key.k - 2, 2));
+      if (depth < 0.5) continue;
+      EXPECT_LE(clay.value(key), 0.002) << toText(key) << " stiffness " << stiffness;
+    }
+  }
+}
+
+// The automaton pulls too: behind the grip a bar grows thinner, as a column grows thicker under a
+// plate, and pulled on it parts.
+TEST(Promises, TheAutomatonPulls) {
+  const auto section = [](const Clay& clay, int i) {
+    double sum = 0;
+    for (int n = 0; n < 17 * 17; ++n) sum += clay.value({i, n / 17 - 8, n % 17 - 8});
+    return sum;
+  };
+  for (const double way : {3.0, 10.0}) {
+    Clay clay;
+    addSolid(clay, Shape::box, {0, 0, 0}, {20, 6, 6});
+    holdBox(clay, {-30, -9, -9}, {-14, 9, 9});
+    const Measures before = measure(clay);
+    const double whole = section(clay, 0);
+    Push push = pushOf(Shape::box, {4, 9, 9}, 1);
+    push.role = Role::grip;
+    push.setup.settings.layers = {LayerKind::automaton};
+    push.stroke.points = {{{17, 0, 0}, 1}, {{17 + way, 0, 0}, 1}};
+    run(clay, push);
+    const Measures after = measure(clay);
+    const int behind = 12 + static_cast<int>(way / 3);
+    EXPECT_NEAR(after.mass / before.mass, 1, 1e-7);
+    EXPECT_LT(section(clay, behind), 0.95 * whole);
+    EXPECT_GT(section(clay, behind), 0.2 * whole);
+    EXPECT_NEAR(section(clay, 17 + static_cast<int>(way)), whole, 1) << "what is held comes along";
+    EXPECT_EQ(section(clay, -10), whole) << "what is far stays";
+    EXPECT_EQ(after.pieces > 1, way > 5);
+  }
+}
+
+// A plate four, and one two cells thick, through a sheet: all the clay it meets stays ahead of it.
+TEST(Promises, NothingTunnelsThroughTwoCells) {
+  for (const double half : {1.0, 2.0}) {
+    Clay clay;
+    addSolid(clay, Shape::box, {0, 0, 0}, {16, 3, 16});
+    Push push = pushOf(Shape::box, {11, half, 11}, 0.3);
+    push.stroke.points = {{{0, 7, 0}, 1}, {{0, -7, 0}, 1}};
+    run(clay, push);
+    const int top = -7 + static_cast<int>(half);
+    double behind = 0;
+    for (int n = 0; n < 17 * 20 * 17; ++n)
+      behind += clay.value({n / (20 * 17) - 8, n / 17 % 20 + top + 1, n % 17 - 8});
+    EXPECT_LT(behind, 1) << 2 * half << " cells";
+  }
+}
+
+// 200 pushes at random leave no crumb and no dust.
+TEST(Promises, SlowTwoHundredPushesLeaveNoCrumbAndNoDust) {
+  Clay clay;
+  addSolid(clay, Shape::ellipsoid, {0, 0, 0}, {11, 11, 11});
+  const Measures before = measure(clay);
+  std::uint32_t state = 11;
+  const auto random = [&] {
+    state = state * 1664525u + 1013904223u;
+    return static_cast<double>(state >> 8) / (1 << 24) * 2 - 1;
+  };
+  for (int n = 0; n < 200; ++n) {
+    Push push = pushOf(Shape::ellipsoid, {3, 3, 3}, 0.3);
+    glm::dvec3 way(random(), random(), random());
+    way *= 1 / std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z + 1e-9);
+    push.stroke.points = {{way * 15.0, 1}, {way * 12.0, 1}};
+    run(clay, push);
+  }
+  const Measures after = measure(clay);
+  EXPECT_NEAR(after.mass / before.mass, 1, 1e-6);
+  EXPECT_EQ(after.pieces, 1);
+  // Beside a clean body of the shape that has come out: its field with sharp edges.
+  EXPECT_LT(static_cast<double>(after.stored), 1.5 * static_cast<double>(cleanCorners(clay)));
+}
+
+}  // namespace
+}  // namespace bozzetto::clay::testing
