@@ -7,7 +7,7 @@
 namespace bozzetto::clay {
 namespace {
 
-constexpr float kEnough = 0.02f;  // less is not missed
+constexpr float kEnough = 0.001f;  // less is not missed
 constexpr float kDense = 0.5f;
 
 float floored(float x) { return std::floor(x / kQuantum) * kQuantum; }
@@ -32,8 +32,8 @@ bool Pulling::lacks(const Region& region, std::size_t cell) const {
 
 // Clay that nobody holds.
 bool Pulling::gives(const Region& region, std::size_t cell) const {
-  return region.value[cell] >= kDense && region.hold[cell] != kFixed &&
-         region.owner[cell] < kMoving;
+  const bool clay = region.value[cell] >= kDense || (wanted_[cell] > 0 && region.value[cell] > 0);
+  return clay && region.hold[cell] != kFixed && region.owner[cell] < kMoving;
 }
 
 // Clay all round, or what was clay.
@@ -102,7 +102,8 @@ bool Pulling::shareBlock(Work& work, std::size_t first) {
   bool shared = false;
   for (std::size_t t = 0; t < 8; ++t)
     for (std::size_t g = 0; g < 8; ++g) {
-      const float share = floored(part * (missing[t] - missing[g]));
+      const float wish = floored(part * (missing[t] - missing[g]));
+      const float share = std::min(wish, region.value[cells[g]]);
       if (wanted_[cells[t]] <= 0 || !gives[g] || missing[t] - missing[g] < kEnough) continue;
       region.carry(cells[g], cells[t], share);
       region.touch(cells[t]);
