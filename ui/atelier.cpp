@@ -57,6 +57,8 @@ Publication Atelier::poll() {
   if (fresh.status) status_ = *fresh.status;
   if (fresh.statistics) statistics_ = *fresh.statistics;
   if (fresh.opened) opened(*fresh.opened);
+  if (fresh.shelf) shelf.cards = *fresh.shelf;
+  if (fresh.taken) sculpt.take(*fresh.taken, status_.scale.spacing);
   for (const std::string& text : fresh.notes) say(Message::Kind::note, text);
   for (const std::string& text : fresh.errors) say(Message::Kind::error, text);
   if (!framed_ && !patches_.empty()) frameAll();
@@ -77,6 +79,7 @@ Publication Atelier::poll() {
 
 void Atelier::opened(const SceneParts& parts) {
   framed_ = sized_ = false;
+  if (shelf.open) listShelf();
   airPoint_.reset();
   heldTool_.reset();
   views_ = {};

@@ -8,6 +8,7 @@
 #include "bozzetto/render/viewport.hpp"
 #include "ui/events.hpp"
 #include "ui/settings.hpp"
+#include "ui/shelf_drawer.hpp"
 #include "ui/stroke_maker.hpp"
 #include "ui/view_options.hpp"
 #include "ui/worker.hpp"
@@ -30,7 +31,8 @@ enum class Gesture {
   sizeAndStrength,
   light,
   pickColour,
-  boxHandle
+  boxHandle,
+  support
 };
 
 enum class Dialog {
@@ -46,6 +48,8 @@ enum class Dialog {
   matcap,
   record,
   replay,
+  shareTool,
+  keepFile,
   unsaved,
   help
 };
@@ -135,6 +139,28 @@ class Atelier {
   void goToStep(std::size_t done);
   void setTool(ActionKind action) { sculpt.action = action; }
 
+  // Shelves (atelier_shelf.cpp).
+  void listShelf();
+  void takeTool(const ToolEntry& entry);
+  /// What is on the desk, or its part in the workspace box, as a tool of the document.
+  void keepClay(const std::string& name, std::vector<std::string> tags, ShelfDrawer::Part part);
+  /// A tool's file, a scene, a recording, a mesh or a grey picture.
+  void keepFile(const std::filesystem::path& path);
+  void keepLetters(const std::string& text, double size, double depth);
+  void renameTool(const ToolEntry& entry, const std::string& to, std::vector<std::string> tags);
+  void dropTool(const ToolEntry& entry);
+  void shareTool(const ToolEntry& entry, const std::filesystem::path& path);
+  /// Copies it to the user's library.
+  void keepForUser(const ToolEntry& entry);
+
+  // Clay that moves (atelier_clay.cpp).
+  void placeToolAsSupport(const glm::dvec3& at);
+  void moveSupport(std::size_t n, const clay::Support& support);
+  void dropSupport(std::size_t n);
+  bool hoversSupport() const { return hover_.inside && supportAt(pointer_).has_value(); }
+  std::optional<std::size_t> chosenSupport;
+  int relaxSteps = 10;
+
   // What panels change freely.
   SculptState sculpt;
   ViewOptions options;
@@ -146,6 +172,7 @@ class Atelier {
   std::optional<Command> rebinding;  ///< the next key becomes this command's
   bool justRebound = false;
   std::optional<double> wantedSpacing;  ///< of the resampling that is being chosen
+  ShelfDrawer shelf;
   bool paletteOpen = false;
   bool panelsShown = true;
   glm::dvec2 palettePlace{0};
@@ -217,6 +244,18 @@ class Atelier {
   Gesture gestureFor(Button button, Modifiers held) const;
   GroundHit heldGround() const;
   ToolShape toolAt(const GroundHit& ground) const;
+  HandOperations handAt(const GroundHit& ground) const;
+  void keep(ShelfKeepOperation operation);
+  bool runClay(Command command);
+  void relax();
+  void holdBox();
+  void placeTable();
+  std::optional<std::size_t> supportAt(glm::dvec2 pixel) const;
+  void dragSupport(glm::dvec2 to);
+  void addSupports(Overlays& overlays) const;
+  ToolGhost bodyOf(const ToolShape& tool, const glm::dvec3& at, double part = 1) const;
+  ToolGhost primitiveGhost(const ToolShape& tool, const GroundHit& ground) const;
+  ToolGhost sculptureGhost(const ToolShape& tool, const GroundHit& ground) const;
   void addRings(Overlays& overlays) const;
   void addTool(Overlays& overlays) const;
   void addStage(Overlays& overlays) const;

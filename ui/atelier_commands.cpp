@@ -26,12 +26,13 @@ struct NamedTool {
   Command command;
   ActionKind action;
 };
-constexpr std::array<NamedTool, 10> kTools{{{Command::toolAdd, ActionKind::add},
+constexpr std::array<NamedTool, 11> kTools{{{Command::toolAdd, ActionKind::add},
                                             {Command::toolRemove, ActionKind::remove},
                                             {Command::toolErase, ActionKind::erase},
                                             {Command::toolSmooth, ActionKind::smooth},
                                             {Command::toolPaint, ActionKind::paint},
                                             {Command::toolPaintSoft, ActionKind::paintSoft},
+                                            {Command::toolStamp, ActionKind::stamp},
                                             {Command::toolPush, ActionKind::push},
                                             {Command::toolGrip, ActionKind::grip},
                                             {Command::toolSwell, ActionKind::swell},
@@ -125,6 +126,8 @@ bool Atelier::isChecked(Command command) const {
       return options.box;
     case Command::panels:
       return panelsShown;
+    case Command::shelf:
+      return shelf.open;
     case Command::fullScreen:
       return fullScreen;
     default:
@@ -138,6 +141,10 @@ bool Atelier::isPossible(Command command) const {
       return status_.done > 0 || status_.inStroke;
     case Command::redo:
       return status_.done < status_.steps.size();
+    case Command::dropSupports:
+      return !status_.clay.supports.empty();
+    case Command::relax:
+    case Command::releaseHold:
     case Command::exportMesh:
     case Command::frameEdit:
     case Command::fitBox:
@@ -172,7 +179,7 @@ void Atelier::run(Command command) {
     if (puckMoves != Moves::tool) heldTool_.reset();
     return;
   }
-  if (!runFile(command) && !runStroke(command)) runView(command);
+  if (!runFile(command) && !runStroke(command) && !runClay(command)) runView(command);
 }
 
 bool Atelier::runFile(Command command) {
@@ -254,12 +261,41 @@ bool Atelier::runStroke(Command command) {
     case Command::swapColours:
       std::swap(sculpt.colour, sculpt.second);
       return true;
+    case Command::toolBall:
+      sculpt.drop();
+      return true;
     case Command::palette:
       paletteOpen = !paletteOpen;
       palettePlace = pointer_ + corner_;
       return true;
     case Command::nextToolDisplay:
       showNextTool();
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Atelier::runClay(Command command) {
+  switch (command) {
+    case Command::relax:
+      relax();
+      return true;
+    case Command::holdBox:
+      holdBox();
+      return true;
+    case Command::releaseHold:
+      apply(ReleaseOperation{true, false});
+      return true;
+    case Command::placeTable:
+      placeTable();
+      return true;
+    case Command::placeTool:
+      placeToolAsSupport(hover_.point());
+      return true;
+    case Command::dropSupports:
+      chosenSupport.reset();
+      apply(ReleaseOperation{false, true});
       return true;
     default:
       return false;
@@ -317,6 +353,10 @@ void Atelier::runView(Command command) {
       return;
     case Command::panels:
       panelsShown = !panelsShown;
+      return;
+    case Command::shelf:
+      shelf.open = !shelf.open;
+      if (shelf.open) listShelf();
       return;
     case Command::fullScreen:
       fullScreen = !fullScreen;

@@ -214,6 +214,7 @@ void Atelier::loadMatcap(const fs::path& path) {
 void Atelier::drop(const std::vector<std::string>& paths) {
   if (paths.empty()) return;
   const fs::path path = paths.front();
+  if (shelf.open) return keepFile(path);
   const std::string kind = lower(path.extension().string());
   if (kind == ".bzt") {
     ifSaved([this, path] { openScene(path); });

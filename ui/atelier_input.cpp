@@ -46,6 +46,7 @@ Gesture Atelier::gestureFor(Button button, Modifiers with) const {
     return with.ctrl ? Gesture::zoom : Gesture::orbit;
   }
   if (button == Button::left && boxHandle_) return Gesture::boxHandle;
+  if (button == Button::left && supportAt(pointer_)) return Gesture::support;
   if (button == Button::left) {
     const bool turns = sculpt.emptyDrag == EmptyDrag::orbit && !onGround;
     return turns ? Gesture::orbit : Gesture::stroke;
@@ -72,6 +73,7 @@ void Atelier::press(Button button, Modifiers with) {
   pressedAt_ = pointer_;
   before_ = sculpt;
   gesture_ = gestureFor(button, with);
+  if (gesture_ == Gesture::support) chosenSupport = supportAt(pointer_);
   if (gesture_ == Gesture::stroke) beginStroke(pressure_);
 }
 
@@ -104,6 +106,9 @@ void Atelier::dragTo(glm::dvec2 to) {
       return;
     case Gesture::boxHandle:
       dragBox(to - pointer_);
+      return;
+    case Gesture::support:
+      dragSupport(to);
       return;
     default:
       dragValues(to - pointer_);

@@ -41,6 +41,11 @@ std::shared_ptr<const ToolMesh> meshFor(Shape shape, const glm::dvec3& radii) {
 
 // Where the potential falls to one half: what the tool leaves behind, roughly.
 double coreOf(Profile profile) { return profile == Profile::wyvill ? 0.5 : 0.85; }
+// Tools that move clay have their surface at their radii.
+double coreOf(const SculptState& sculpt) {
+  if (movesClay(sculpt.action)) return 1;
+  return sculpt.isFreeform() ? 0.75 : coreOf(sculpt.profile);
+}
 
 glm::dmat4 placed(const glm::dvec3& at, const glm::dmat3& turn, const glm::dvec3& radii) {
   return glm::translate(glm::dmat4(1), at) * glm::dmat4(turn) * glm::scale(glm::dmat4(1), radii);
@@ -51,6 +56,7 @@ glm::dmat4 placed(const glm::dvec3& at, const glm::dmat3& turn, const glm::dvec3
 Overlays Atelier::overlays() const {
   Overlays overlays;
   addStage(overlays);
+  addSupports(overlays);
   const bool busy = gesture_ == Gesture::orbit || gesture_ == Gesture::pan ||
                     gesture_ == Gesture::zoom || gesture_ == Gesture::light;
   const bool held = heldTool_ && puckMoves == Moves::tool;
@@ -71,7 +77,7 @@ void Atelier::addRings(Overlays& overlays) const {
   ring.on = onClay ? RingCursor::On::clay : RingCursor::On::air;
   ring.centre = (held ? heldTool_->position : hover_.point()) / spacing;
   ring.normal = onClay ? hover_.ground->normal : view.back();
-  ring.radius = sculpt.size / spacing * coreOf(sculpt.profile);
+  ring.radius = sculpt.size / spacing * coreOf(sculpt);
   ring.ink = inkFor(actionNow(), sculpt.colour);
   const glm::dvec3 centre = sculpt.symmetry.centre / spacing;
   for (const glm::dmat3& image : imagesOf(sculpt.symmetry)) {
@@ -91,23 +97,15 @@ void Atelier::addTool(Overlays& overlays) const {
   GroundHit ground = hover_.ground.value_or(GroundHit{hover_.air, view.back()});
   if (held) ground = heldGround();
   const ToolShape tool = toolAt(ground);
-  const glm::dvec3 radii = tool.radii / spacing;
-  const glm::dmat3 turn = glm::mat3_cast(normalisedRotation(tool.rotation));
-  glm::dvec3 at = ground.position / spacing;
-  if (!held) at += ground.normal * (sculpt.depth * sculpt.size / spacing);
-  ToolGhost ghost;
-  const bool isCapsule = tool.shape == Shape::capsule;
-  const double core = coreOf(tool.profile);
-  ghost.mesh = meshFor(tool.shape, radii * core);
-  ghost.cellsFromTool = placed(at, turn, isCapsule ? glm::dvec3(1) : radii * core);
-  if (options.limit) {
-    ghost.limit = meshFor(tool.shape, radii);
-    ghost.cellsFromLimit = placed(at, turn, isCapsule ? glm::dvec3(1) : radii);
-  }
+  if (!held) ground.position += ground.normal * (sculpt.depth * sculpt.size);
+  ToolGhost ghost =
+      tool.shape == Shape::freeform ? sculptureGhost(tool, ground) : primitiveGhost(tool, ground);
   ghost.display = options.tool;
   ghost.ink = inkFor(actionNow(), sculpt.colour);
   overlays.tools.push_back(ghost);
   if (hover_.ground && !held) return;
+  const glm::dvec3 at = ground.position / spacing;
+  const double core = coreOf(sculpt);
   WorkingPlane plane;
   plane.centre = at;
   plane.normal = view.back();
@@ -115,6 +113,45 @@ void Atelier::addTool(Overlays& overlays) const {
   plane.toolRadius = sculpt.size / spacing * core;
   plane.shadowFloor = status_.stage.floor;
   overlays.plane = plane;
+}
+
+// A primitive tool as something to draw, `part` of its radii large; `at` in cells.
+ToolGhost Atelier::bodyOf(const ToolShape& tool, const glm::dvec3& at, double part) const {
+  const glm::dvec3 radii = tool.radii * (part / status_.scale.spacing);
+  const glm::dmat3 turn = glm::mat3_cast(normalisedRotation(tool.rotation));
+  ToolGhost ghost;
+  ghost.mesh = meshFor(tool.shape, radii);
+  ghost.cellsFromTool = placed(at, turn, tool.shape == Shape::capsule ? glm::dvec3(1) : radii);
+  return ghost;
+}
+
+ToolGhost Atelier::primitiveGhost(const ToolShape& tool, const GroundHit& ground) const {
+  ToolShape standing = tool;
+  standing.rotation = sculpt.standing(tool, ground.normal);
+  const glm::dvec3 at = ground.position / status_.scale.spacing;
+  ToolGhost ghost = bodyOf(standing, at, coreOf(sculpt));
+  if (!options.limit) return ghost;
+  const ToolGhost limit = bodyOf(standing, at);
+  ghost.limit = limit.mesh;
+  ghost.cellsFromLimit = limit.cellsFromTool;
+  return ghost;
+}
+
+// A sculpture stands on its pivot; while an anchored stroke is drawn, where and as large as that
+// will put it.
+ToolGhost Atelier::sculptureGhost(const ToolShape& tool, const GroundHit& ground) const {
+  const double spacing = status_.scale.spacing;
+  const bool anchored = maker_ && sculpt.placement.anchored;
+  const GroundHit place = anchored ? maker_->start() : ground;
+  const double reach = anchored ? glm::length(maker_->last() - place.position) : 0;
+  const double factor = reach > 0 ? reach / sculpt.size : 1;
+  const double cell = tool.sculpture->scale().spacing / spacing;
+  ToolGhost ghost;
+  ghost.mesh = sculpt.freeform->mesh;
+  ghost.cellsFromTool =
+      placed(place.position / spacing, glm::mat3_cast(sculpt.standing(tool, place.normal)),
+             tool.scale * (cell * factor));
+  return ghost;
 }
 
 void Atelier::addStage(Overlays& overlays) const {

@@ -11,6 +11,10 @@ ToolShape Atelier::toolAt(const GroundHit& ground) const {
   return tool;
 }
 
+HandOperations Atelier::handAt(const GroundHit& ground) const {
+  return {sculpt.toolOperation(toolAt(ground)), {sculpt.options(actionNow())}, {sculpt.clay}};
+}
+
 void Atelier::beginStroke(double pressure) {
   if (heldTool_ && puckMoves == Moves::tool) return beginHeldStroke();
   const StrokeMaker::Setting setting{view, extent_, status_.scale.spacing,
@@ -22,20 +26,15 @@ void Atelier::beginStroke(double pressure) {
     gesture_ = Gesture::none;
     return;
   }
-  const ToolShape tool = toolAt(maker_->start());
-  const ActionOptions action = sculpt.options(actionNow());
-  worker_.post([tool, action, stroke = sculpt.strokeFrom(*first)](ClayDesk& desk) {
-    desk.beginStroke(tool, action, stroke);
-  });
+  worker_.post([hand = handAt(maker_->start()), stroke = sculpt.strokeFrom(*first)](
+                   ClayDesk& desk) { desk.beginStroke(hand, stroke); });
 }
 
 void Atelier::beginHeldStroke() {
   if (!heldTool_) heldTool_ = HeldTool{hover_.point(), sculpt.rotation};
   heldStroke_ = true;
-  const ToolShape tool = toolAt(heldGround());
-  const ActionOptions action = sculpt.options(actionNow());
-  worker_.post([tool, action, stroke = sculpt.strokeFrom({heldTool_->position, 1})](
-                   ClayDesk& desk) { desk.beginStroke(tool, action, stroke); });
+  worker_.post([hand = handAt(heldGround()), stroke = sculpt.strokeFrom({heldTool_->position, 1})](
+                   ClayDesk& desk) { desk.beginStroke(hand, stroke); });
 }
 
 void Atelier::continueStroke(double pressure) {

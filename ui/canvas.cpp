@@ -76,6 +76,24 @@ UnpackedPatch ballPatch(Colour colour) {
   return ball;
 }
 
+// Of a PNG; 0 for one that is damaged.
+GLuint textureOf(const Bytes& png, const std::string& name) {
+  Image image;
+  try {
+    image = decodePng(png, name);
+  } catch (const Error&) {
+    return 0;
+  }
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               image.pixels.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  return texture;
+}
+
 ImTextureID asTexture(GLuint name) { return reinterpret_cast<ImTextureID>(std::uintptr_t(name)); }
 
 }  // namespace
@@ -91,6 +109,7 @@ struct Canvas::Impl {
 
   void makeBalls();
   void pictureStep();
+  void uploadTools();
   std::size_t upload();
 };
 
@@ -154,6 +173,23 @@ void Canvas::Impl::pictureStep() {
   pictures[id] = asTexture(target.takeColour());
 }
 
+// Pictures of tools on the shelf, each once; those nobody shows any more go.
+void Canvas::Impl::uploadTools() {
+  auto& pictures = interface->pictures.tools;
+  const std::vector<ShelfCard>& cards = atelier->shelf.cards;
+  std::erase_if(pictures, [&](const auto& entry) {
+    const auto same = [&](const ShelfCard& card) { return card.pictureId == entry.first; };
+    if (std::ranges::any_of(cards, same)) return false;
+    const GLuint name = GLuint(reinterpret_cast<std::uintptr_t>(entry.second));
+    glDeleteTextures(1, &name);
+    return true;
+  });
+  for (const ShelfCard& card : cards) {
+    if (!card.picture || card.picture->empty() || pictures.contains(card.pictureId)) continue;
+    pictures[card.pictureId] = asTexture(textureOf(*card.picture, card.entry.name));
+  }
+}
+
 // As much as a frame has time for; the rest stays.
 std::size_t Canvas::Impl::upload() {
   if (std::exchange(waiting.cleared, false)) renderer.clear();
@@ -206,6 +242,7 @@ bool Canvas::draw(Publication fresh, glm::dvec2 size) {
     }
     c.fontsVersion = c.interface->fontsVersion();
   }
+  if (c.atelier->shelf.open) c.uploadTools();
   c.waiting.add(std::move(fresh));
   const std::size_t patches = c.upload();
   const Rect& at = c.interface->layout().viewport;

@@ -28,7 +28,9 @@ std::size_t bytesOf(const std::map<Key, PatchRef>& patches) {
 // Empty for operations that are no step of history.
 std::string titleOf(const Operation& operation) {
   std::string name(nameOf(operation));
-  for (const char* none : {"undo", "redo", "scene", "tool", "action", "clay"})
+  for (const char* none :
+       {"undo", "redo", "scene", "tool", "action", "clay", "support", "support_move",
+        "support_drop", "shelf_keep", "shelf_rename", "shelf_drop"})
     if (name == none) return "";
   name[0] = char(std::toupper(static_cast<unsigned char>(name[0])));
   return name;
@@ -38,7 +40,7 @@ std::string titleOf(const Operation& operation) {
 
 bool Publication::empty() const {
   return !cleared && fine.empty() && coarse.empty() && !floor && !status && !statistics &&
-         !opened && notes.empty() && errors.empty();
+         !opened && !shelf && !taken && notes.empty() && errors.empty();
 }
 
 void Publication::add(Publication later) {
@@ -53,6 +55,8 @@ void Publication::add(Publication later) {
   replaceIf(status, later.status);
   replaceIf(statistics, later.statistics);
   replaceIf(opened, later.opened);
+  replaceIf(shelf, later.shelf);
+  replaceIf(taken, later.taken);
   for (std::string& text : later.notes) notes.push_back(std::move(text));
   for (std::string& text : later.errors) errors.push_back(std::move(text));
 }
@@ -65,9 +69,11 @@ ClayDesk::ClayDesk() { lay({}); }
 void ClayDesk::lay(Document document) {
   stroke_.reset();
   sculptor_ = std::make_unique<Sculptor>(std::move(document.field), SurfaceUpkeep::afterEachDab);
+  sculptor_->tools().shelf = document.parts.shelf;
   dresser_ = std::make_unique<Dresser>();
   parts_ = std::move(document.parts);
   recording_ = {};
+  heldTool_ = heldAction_ = heldClay_ = "";
   titles_.clear();
   const std::uint64_t version = status_.version + 1;
   status_ = {};
@@ -112,7 +118,7 @@ void ClayDesk::import(const std::filesystem::path& path, const ImportOptions& op
 Document ClayDesk::documentWith(const SceneParts& parts) const {
   Document document{sculptor_->field(), parts};
   document.parts.identity = parts_.identity;
-  document.parts.shelf = parts_.shelf;
+  document.parts.shelf = sculptor_->tools().shelf;
   return document;
 }
 
@@ -140,11 +146,35 @@ void ClayDesk::exportMesh(const std::filesystem::path& path, double keep, Progre
 
 void ClayDesk::apply(const Operation& operation, Progress& progress) {
   cancelStroke();
+  heldTool_ = heldAction_ = heldClay_ = "";  // some operations change the hand
   status_.last = sculptor_->apply(operation, progress);
   recording_.operations.push_back(operation);
   ++status_.version;
   nameSteps({titleOf(operation), std::nullopt, 0});
   show();
+}
+
+void ClayDesk::relax(const ClayOperation& settings, int steps, Progress& progress) {
+  cancelStroke();
+  holdOne(settings, heldClay_);
+  apply(RelaxOperation{steps}, progress);
+  account();
+}
+
+void ClayDesk::moveSupport(const SupportMoveOperation& move) {
+  sculptor_->apply(move);
+  auto& operations = recording_.operations;
+  const auto* before =
+      operations.empty() ? nullptr : std::get_if<SupportMoveOperation>(&operations.back());
+  if (before != nullptr && before->number == move.number) operations.pop_back();
+  operations.push_back(move);
+  tellStatus();
+}
+
+// The ledger of what should keep the mass.
+void ClayDesk::account() {
+  ++status_.movedSteps;
+  status_.drift += status_.last.massAfter - status_.last.massBefore;
 }
 
 // A step that was just made takes the place of those that had been undone.
@@ -160,19 +190,23 @@ void ClayDesk::nameSteps(StepLine title) {
 }
 
 // Strokes take what the hand holds; it is told only when it changes.
-void ClayDesk::hold(const ToolShape& tool, const ActionOptions& action) {
-  const Operation wanted[] = {ToolOperation{tool}, ActionOperation{action}};
-  const Operation held[] = {ToolOperation{sculptor_->tool()}, ActionOperation{sculptor_->action()}};
-  for (int n = 0; n < 2; ++n) {
-    if (!recording_.operations.empty() && toText(wanted[n]) == toText(held[n])) continue;
-    sculptor_->apply(wanted[n]);
-    recording_.operations.push_back(wanted[n]);
-  }
+void ClayDesk::holdOne(const Operation& wanted, std::string& held) {
+  std::string text = toText(wanted);
+  if (text == held) return;
+  sculptor_->apply(wanted);
+  recording_.operations.push_back(wanted);
+  held = std::move(text);
 }
 
-void ClayDesk::beginStroke(const ToolShape& tool, const ActionOptions& action, Stroke stroke) {
+void ClayDesk::hold(const HandOperations& hand) {
+  holdOne(hand.tool, heldTool_);
+  holdOne(hand.action, heldAction_);
+  if (movesClay(hand.action.action.kind)) holdOne(hand.clay, heldClay_);
+}
+
+void ClayDesk::beginStroke(const HandOperations& hand, Stroke stroke) {
   cancelStroke();
-  hold(tool, action);
+  hold(hand);
   stroke_ = sculptor_->begin(std::move(stroke));
   status_.inStroke = true;
   status_.lastEdit = {};
@@ -198,6 +232,7 @@ void ClayDesk::endStroke() {
   status_.inStroke = false;
   ++status_.version;
   const ActionKind action = sculptor_->action().kind;
+  if (movesClay(action)) account();
   nameSteps({std::string(rowOf(action).title), action, 0});
   status_.lastEditStep = lastStep_;
   show();
@@ -266,6 +301,7 @@ void ClayDesk::tellStatus() {
   status_.bounds = bounds_;
   if (!status_.inStroke) status_.stage = Stage::around(bounds_);
   status_.mass = status_.last.massAfter;
+  status_.clay = sculptor_->clay();
   const auto& history = sculptor_->history();
   status_.done = history.undoDepth();
   status_.isLit = rest_ != Rest::light;
@@ -296,8 +332,12 @@ bool ClayDesk::settle() {
       return true;
     case Rest::statistics:
       out_.statistics = count();
-      rest_ = Rest::nothing;
+      rest_ = Rest::pictures;
       return true;
+    case Rest::pictures:
+      if (pictureNext()) return true;
+      rest_ = Rest::nothing;
+      break;
     case Rest::nothing:
       break;
   }

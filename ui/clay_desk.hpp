@@ -14,6 +14,7 @@
 #include "bozzetto/scene/scene_file.hpp"
 #include "bozzetto/sculptor/recording.hpp"
 #include "bozzetto/sculptor/sculptor.hpp"
+#include "ui/freeform.hpp"
 #include "ui/patch_set.hpp"
 
 namespace bozzetto::ui {
@@ -36,6 +37,9 @@ struct ClayStatus {
   std::uint64_t version = 0;  ///< grows with every change of the clay
   std::uint64_t savedVersion = 0;
   OperationReport last;            ///< of the last operation
+  clay::Setup clay;                ///< what strokes that move clay meet
+  std::size_t movedSteps = 0;      ///< strokes that moved clay, and relaxations, since opened
+  double drift = 0;                ///< of the mass, over these
   CellBounds lastEdit;             ///< cells
   std::uint64_t lastEditStep = 0;  ///< the step that it belongs to
   bool isLit = false;              ///< nothing waits for better light
@@ -50,6 +54,13 @@ struct ClayStatistics {
   double volume = 0, area = 0;  ///< world units
 };
 
+/// What strokes take.
+struct HandOperations {
+  ToolOperation tool;
+  ActionOperation action;
+  ClayOperation clay;  ///< for actions that move clay
+};
+
 /// What changed since the last publication.
 struct Publication {
   bool cleared = false;                  ///< forget all patches first
@@ -58,6 +69,8 @@ struct Publication {
   std::optional<ClayStatus> status;
   std::optional<ClayStatistics> statistics;
   std::optional<SceneParts> opened;  ///< another document is on the desk
+  std::optional<std::vector<ShelfCard>> shelf;
+  std::optional<Freeform> taken;  ///< from a shelf
   std::vector<std::string> notes, errors;
 
   bool empty() const;
@@ -67,6 +80,8 @@ struct Publication {
 };
 
 enum class NewClay { empty, ball, block };
+
+enum class ShelfPictures { none, made };
 
 class ClayDesk {
  public:
@@ -83,12 +98,30 @@ class ClayDesk {
 
   // Operations.
   void apply(const Operation& operation, Progress& progress = Progress::none());
-  void beginStroke(const ToolShape& tool, const ActionOptions& action, Stroke stroke);
+  void beginStroke(const HandOperations& hand, Stroke stroke);
   void extendStroke(std::span<const StrokePoint> points);
   /// The next dab whose place is sure; false when there is none.
   bool dab();
   void endStroke();
   void cancelStroke();
+
+  /// With these settings from now on.
+  void relax(const ClayOperation& settings, int steps, Progress& progress);
+  /// A row of moves of one support is recorded as one.
+  void moveSupport(const SupportMoveOperation& move);
+
+  // Shelves (clay_desk_shelf.cpp).
+  /// Lists all tools with the next publication; their pictures follow at rest.
+  void listShelf();
+  /// Whether anybody looks at them.
+  void setPictures(ShelfPictures pictures) { pictures_ = pictures; }
+  void takeTool(const ToolSource& source);
+  /// A tool of any place as one file.
+  void shareTool(const std::string& name, const std::filesystem::path& path);
+  /// In the user's library.
+  void keepForUser(const std::string& name);
+  void dropUserTool(const std::string& name);
+  void renameUserTool(const std::string& name, const std::string& to);
 
   // Recordings.
   void saveRecording(const std::filesystem::path& path) const;
@@ -115,7 +148,11 @@ class ClayDesk {
   void show();
   void showAll();
   void put(std::vector<UnpackedPatch> patches);
-  void hold(const ToolShape& tool, const ActionOptions& action);
+  void hold(const HandOperations& hand);
+  void account();
+  void holdOne(const Operation& wanted, std::string& held);
+  void picture(ShelfCard& card);
+  bool pictureNext();
   void tellStatus();
   void nameSteps(StepLine title);
   ClayStatistics count() const;
@@ -129,10 +166,14 @@ class ClayDesk {
   ClayStatus status_;
   std::vector<StepLine> titles_;  // of the history's steps
   std::uint64_t lastStep_ = 0;
+  std::string heldTool_, heldAction_, heldClay_;  // operations last told; empty: not known
+  std::vector<ShelfCard> cards_;
+  ShelfPictures pictures_ = ShelfPictures::none;
+  std::map<std::string, std::shared_ptr<const Bytes>> starterPictures_;
   Publication out_;
   CellBounds bounds_;  // of all patches
   Structure structure_ = Structure::surface;
-  enum class Rest { light, floor, statistics, nothing } rest_ = Rest::nothing;
+  enum class Rest { light, floor, statistics, pictures, nothing } rest_ = Rest::nothing;
 };
 
 }  // namespace bozzetto::ui

@@ -55,6 +55,7 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {toolPaint, tool, "tool_paint", "Paint", "Colours the clay that the tool covers.", "5, P", "5"},
     {toolPaintSoft, tool, "tool_paint_soft", "Soft paint", "Colours gently, most at the centre.",
      "6, Shift+P", "6"},
+    {toolStamp, tool, "tool_stamp", "Stamp", "Prints the tool; clay rises round it.", "D", "D"},
     {toolPush, tool, "tool_push", "Push", "Presses clay in; what gives way piles up around.",
      "7, G", "7"},
     {toolGrip, tool, "tool_grip", "Grip", "Takes hold of clay and drags it along.", "8, K", "8"},
@@ -82,6 +83,8 @@ constexpr auto kCommands = std::to_array<CommandRow>({
      "C"},
     {swapColours, stroke, "swap_colours", "Swap colours", "Takes the second colour in hand.",
      "Shift+X", "V"},
+    {toolBall, stroke, "tool_ball", "Back to a ball", "Lets go of a tool from the shelf.",
+     "Shift+Q", "Shift+Q"},
     {palette, stroke, "palette", "Palette", "Tools, sizes and colours under the pointer.", "Space",
      "Space"},
     {nextToolDisplay, stroke, "tool_display", "Show the tool",
@@ -91,6 +94,17 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {moveTool, move, "move_tool", "Move the tool",
      "The puck holds the tool; the mouse turns the scene.", "F3", "F3"},
     {moveLight, move, "move_light", "Move the light", "Dragging turns the light.", "F4", "F4"},
+
+    {relax, matter, "relax", "Relax", "Lets clay settle: its layers run without a tool.", "R",
+     "Shift+R"},
+    {holdBox, matter, "hold_box", "Hold the box", "Holds all clay in the workspace box.", "Shift+M",
+     "Shift+M"},
+    {releaseHold, matter, "release", "Let all go", "Nothing is held any more.", "Alt+M", "Alt+M"},
+    {placeTable, matter, "place_table", "A table", "A board under the clay, as wide as it.", "",
+     ""},
+    {placeTool, matter, "place_tool", "The tool as a support",
+     "Leaves a support like the tool under the pointer; clay cannot go there.", "Y", "Y"},
+    {dropSupports, matter, "drop_supports", "No supports", "Takes all supports away.", "", ""},
 
     {frameAll, view, "frame_all", "Show all clay", "Brings all clay into sight.", "Home", "F"},
     {frameEdit, view, "frame_edit", "Show the last stroke", "Brings the last stroke into sight.",
@@ -113,6 +127,7 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {workspaceBox, view, "box", "Workspace box", "A box around the clay.", "B", "B"},
     {fitBox, view, "fit_box", "Fit the box", "Puts the box around the clay.", "Shift+B", "Shift+B"},
     {panels, view, "panels", "Panels", "Hides and shows the panels.", "Tab", "Tab"},
+    {shelf, view, "shelf", "Shelf", "Tools that are sculptures: take them, keep them.", "Q", "Q"},
     {fullScreen, view, "full_screen", "Full screen", "The clay and nothing else.", "F11", "F11"},
 
     {Command::showHelp, CommandGroup::help, "help", "Keys and help",
@@ -127,8 +142,8 @@ std::span<const CommandRow> commandTable() { return kCommands; }
 const CommandRow& rowOf(Command command) { return kCommands[static_cast<std::size_t>(command)]; }
 
 std::string_view toText(CommandGroup group) {
-  constexpr std::array<std::string_view, 7> names{"File", "Edit", "Tools", "Stroke",
-                                                  "Move", "View", "Help"};
+  constexpr std::array<std::string_view, 8> names{"File", "Edit", "Tools", "Stroke",
+                                                  "Move", "Clay", "View",  "Help"};
   return names[static_cast<std::size_t>(group)];
 }
 

@@ -37,6 +37,7 @@ enum class Command {
   toolSmooth,
   toolPaint,
   toolPaintSoft,
+  toolStamp,
   toolPush,
   toolGrip,
   toolSwell,
@@ -54,11 +55,18 @@ enum class Command {
   stabiliser,
   eyedropper,
   swapColours,
+  toolBall,
   palette,
   nextToolDisplay,
   moveScene,
   moveTool,
   moveLight,
+  relax,
+  holdBox,
+  releaseHold,
+  placeTable,
+  placeTool,
+  dropSupports,
   frameAll,
   frameEdit,
   front,
@@ -77,12 +85,13 @@ enum class Command {
   workspaceBox,
   fitBox,
   panels,
+  shelf,
   fullScreen,
   showHelp,
   count
 };
 
-enum class CommandGroup { file, edit, tool, stroke, move, view, help };
+enum class CommandGroup { file, edit, tool, stroke, move, matter, view, help };
 
 struct CommandRow {
   Command command;

@@ -98,6 +98,34 @@ void drawSwell(const Sketch& sketch, const IconInks& inks) {
   for (int n = 0; n < 3; ++n) sketch.line(from[n], to[n], inks.action);
 }
 
+// A stamp's handle over the print it left between two rims.
+void drawStamp(const Sketch& sketch, const IconInks& inks) {
+  sketch.curve({-1, .72f}, {-.8f, .72f}, {-.75f, .4f}, {-.55f, .42f}, inks.clay);
+  sketch.line({-.55f, .42f}, {-.45f, .8f}, inks.clay);
+  sketch.line({-.45f, .8f}, {.45f, .8f}, inks.clay);
+  sketch.line({.45f, .8f}, {.55f, .42f}, inks.clay);
+  sketch.curve({.55f, .42f}, {.75f, .4f}, {.8f, .72f}, {1, .72f}, inks.clay);
+  sketch.circle({0, -.68f}, .22f, inks.action);
+  sketch.line({0, -.46f}, {0, .05f}, inks.action);
+  sketch.line({-.42f, .05f}, {.42f, .05f}, inks.action);
+  sketch.line({-.42f, .05f}, {-.42f, .38f}, inks.action);
+  sketch.line({.42f, .05f}, {.42f, .38f}, inks.action);
+  sketch.line({-.42f, .38f}, {.42f, .38f}, inks.action);
+}
+
+// Two boards, something standing on each.
+void drawShelf(const Sketch& sketch, const IconInks& inks) {
+  sketch.line({-.95f, -.02f}, {.95f, -.02f}, inks.clay);
+  sketch.line({-.95f, .85f}, {.95f, .85f}, inks.clay);
+  sketch.circle({-.45f, -.42f}, .36f, inks.action);
+  sketch.line({.25f, -.06f}, {.25f, -.8f}, inks.clay);
+  sketch.line({.25f, -.8f}, {.7f, -.8f}, inks.clay);
+  sketch.line({.7f, -.8f}, {.7f, -.06f}, inks.clay);
+  sketch.line({-.75f, .8f}, {-.45f, .25f}, inks.clay);
+  sketch.line({-.45f, .25f}, {-.15f, .8f}, inks.clay);
+  sketch.circle({.45f, .5f}, .3f, inks.action);
+}
+
 }  // namespace
 
 void drawIcon(ImDrawList* list, Icon icon, const IconPlace& place, const IconInks& inks) {
@@ -124,6 +152,12 @@ void drawIcon(ImDrawList* list, Icon icon, const IconPlace& place, const IconInk
       break;
     case Icon::softPaint:
       drawSpray(sketch, inks);
+      break;
+    case Icon::stamp:
+      drawStamp(sketch, inks);
+      break;
+    case Icon::shelf:
+      drawShelf(sketch, inks);
       break;
     case Icon::hold:
       drawHold(sketch, inks);

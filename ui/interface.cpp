@@ -179,7 +179,8 @@ Publication Interface::frame(glm::dvec2 size, double now) {
   io.DeltaTime = float(std::clamp(now - last_, 1e-4, 0.25));
   last_ = now;
   atelier_->setTime(now);
-  layout_ = layoutFor(size, scale_, atelier_->panelsShown && !atelier_->fullScreen);
+  layout_ = layoutFor(size, scale_, atelier_->panelsShown && !atelier_->fullScreen,
+                      atelier_->shelf.open ? Drawer::open : Drawer::closed);
   const Rect& at = layout_.viewport;
   atelier_->setViewport(at.low, {at.width(), at.height()}, scale_);
   Publication fresh = atelier_->poll();
@@ -198,6 +199,7 @@ void Interface::build() {
   if (atelier_->panelsShown && !atelier_->fullScreen) {
     drawTopBar(context);
     drawToolColumn(context);
+    drawShelf(context);
     drawProperties(context);
     drawStatusLine(context);
   }

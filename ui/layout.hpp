@@ -15,10 +15,13 @@ struct Rect {
 };
 
 struct Layout {
-  Rect topBar, tools, properties, status, viewport;
+  Rect topBar, tools, drawer, properties, status, viewport;
 };
 
+/// Whether the shelf stands beside the tools.
+enum class Drawer { closed, open };
+
 /// Panels of whole pixels around what is left for the clay; without panels all of it is.
-Layout layoutFor(glm::dvec2 window, double scale, bool panels);
+Layout layoutFor(glm::dvec2 window, double scale, bool panels, Drawer drawer = Drawer::closed);
 
 }  // namespace bozzetto::ui

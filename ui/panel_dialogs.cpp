@@ -36,6 +36,12 @@ const std::vector<Purpose>& purposes() {
       {Dialog::matcap, "Matcap from a picture", "Use", "", {".png"}},
       {Dialog::record, "Save the recording", "Save", ".jsonl", {".jsonl"}},
       {Dialog::replay, "Replay a recording", "Replay", "", {".jsonl"}},
+      {Dialog::shareTool, "Save the tool", "Save", ".bzt", {".bzt"}},
+      {Dialog::keepFile,
+       "Put a file on the shelf",
+       "Keep",
+       "",
+       {".bzt", ".png", ".obj", ".ply", ".stl", ".off", ".glb", ".jsonl"}},
   };
   return all;
 }
@@ -62,6 +68,7 @@ std::string suggestedName(const Atelier& atelier, const Purpose& purpose) {
   if (purpose.dialog == Dialog::saveAs && !atelier.path().empty()) {
     return atelier.path().filename().string();
   }
+  if (purpose.dialog == Dialog::shareTool) return atelier.shelf.about.value().name + purpose.ending;
   return atelier.title() + purpose.ending;
 }
 
@@ -105,6 +112,10 @@ void perform(Atelier& atelier, const FileDialog& state, const fs::path& path) {
       return atelier.saveRecording(path);
     case Dialog::replay:
       return atelier.replay(path);
+    case Dialog::shareTool:
+      return atelier.shareTool(atelier.shelf.about.value(), path);
+    case Dialog::keepFile:
+      return atelier.keepFile(path);
     default:
       return;
   }

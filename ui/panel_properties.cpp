@@ -10,9 +10,9 @@
 namespace bozzetto::ui {
 namespace {
 
-const char* shapeName(Shape shape) {
+std::string shapeName(const SculptState& sculpt) {
   constexpr const char* names[] = {"Ball", "Box", "Cylinder", "Capsule"};
-  return names[int(shape)];
+  return sculpt.isFreeform() ? sculpt.freeform->name : names[int(sculpt.shape)];
 }
 
 void toolCard(const SculptState& sculpt, const ToolRow& row) {
@@ -27,7 +27,8 @@ void toolCard(const SculptState& sculpt, const ToolRow& row) {
   drawText(list, fonts().display, {at.x + px(72), at.y + px(12)}, ink(0xF4F4F5),
            std::string(row.title));
   drawText(list, fonts().medium, {at.x + px(72), at.y + px(37)}, ink(tint::dim),
-           fmt::format("{}  ·  {}", shapeName(sculpt.shape), row.what));
+           fitted(fonts().medium, fmt::format("{}  ·  {}", shapeName(sculpt), row.what),
+                  width - px(80)));
   ImGui::Dummy({width, px(66)});
 }
 
@@ -104,15 +105,24 @@ void toolSection(Atelier& atelier) {
     slider("Strength", sculpt.strengthOf(sculpt.action), strength,
            "How much every dab does. Shift+F drags it.");
   }
-  slider("Spacing", sculpt.spacing, {0.05, 1, "%", 100, 0, true},
+  slider("Spacing", sculpt.spacing, {0.05, 8, "%", 100, 0, true},
          "Between dabs, as part of the tool's smallest radius.");
-  falloff(sculpt);
+  if (row.action == ActionKind::stamp) stampSection(atelier);
+  if (!sculpt.isFreeform()) return falloff(sculpt);
+  if (row.usesColour) {
+    toggle("Its own colours", sculpt.ownColours, "The clay gets the colours of the sculpture.");
+  }
+  if (button("Back to a ball", {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::plain,
+             "Lets go of the tool from the shelf (Shift+Q).")) {
+    sculpt.drop();
+  }
 }
 
 void shapeSection(Atelier& atelier) {
   SculptState& sculpt = atelier.sculpt;
   int shape = int(sculpt.shape);
   if (choice("shape", shape, {"Ball", "Box", "Tube", "Capsule"}, "The tool's shape.")) {
+    sculpt.drop();
     sculpt.shape = Shape(shape);
   }
   const char* names[] = {"Width", "Height", "Depth"};
@@ -167,14 +177,19 @@ void drawProperties(const PanelContext& context) {
   const ImGuiWindowFlags flags = kFixed & ~ImGuiWindowFlags_NoScrollbar;
   ImGui::Begin("properties", nullptr, flags);
   toolSection(atelier);
+  if (movesClay(atelier.sculpt.action) && section("How clay gives way")) movingSection(atelier);
   if (section("Look")) lookSection(atelier, context.pictures);
   if (section("Colour")) colourSection(atelier);
   if (section("Tool", false)) shapeSection(atelier);
+  if (section("Placement", false)) placementSection(atelier);
   if (section("Stroke", false)) strokeSection(atelier);
   if (section("Symmetry", false)) symmetrySection(atelier);
   if (section("Lights", false)) lightSection(atelier);
   if (section("View", false)) viewSection(atelier);
   if (section("References", false)) referenceSection(atelier);
+  if (section("Held clay", false)) holdSection(atelier);
+  if (section("Supports", false)) supportSection(atelier);
+  if (section("Mass", false)) ledgerSection(atelier);
   if (section("Clay")) claySection(atelier);
   if (section("History", false)) historySection(atelier);
   if (section("Performance", false)) performanceSection(atelier, context.figures);

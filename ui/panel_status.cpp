@@ -40,6 +40,8 @@ std::vector<Hint> draggingHints(Gesture gesture) {
       return {{"", {}, "Shifting the view"}};
     case Gesture::zoom:
       return {{"", {}, "Zooming"}};
+    case Gesture::support:
+      return {{"", {}, "Moving the support"}};
     case Gesture::light:
       return {{"", {}, "Turning the light"}};
     default:
@@ -64,6 +66,7 @@ std::vector<Hint> restingHints(const Atelier& atelier) {
   const bool blender = atelier.keymap.profile() == KeyProfile::blender;
   const Modifiers held = atelier.held();
   std::vector<Hint> hints;
+  if (atelier.hoversSupport()) return {{"", MousePart::left, "Move the support"}};
   const bool turns = sculpt.emptyDrag == EmptyDrag::orbit && !atelier.hover().ground;
   if (blender && held.alt) {
     hints.push_back({"", MousePart::left, "Orbit"});

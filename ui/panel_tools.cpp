@@ -34,6 +34,25 @@ void toolCell(Atelier& atelier, const Cell& cell, float left, float top) {
   ImGui::PopID();
 }
 
+// Opens the drawer.
+void shelfCell(Atelier& atelier, float left, float top) {
+  const float side = px(44);
+  ImGui::SetCursorScreenPos({left, top});
+  if (ImGui::InvisibleButton("shelf", {side, side})) atelier.run(Command::shelf);
+  const bool lit = ImGui::IsItemHovered() || atelier.shelf.open;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (lit) list->AddRectFilled({left, top}, {left + side, top + side}, ink(tint::hover), px(9));
+  drawIcon(list, Icon::shelf, {{left + side / 2, top + side / 2}, px(12.5f)},
+           {ink(tint::icon), ink(tint::accent)});
+  tooltip(atelier.keymap, Command::shelf);
+}
+
+void separator(const Rect& at, float& y) {
+  ImGui::GetWindowDrawList()->AddLine({float(at.low.x) + px(18), y + px(3)},
+                                      {float(at.high.x) - px(18), y + px(3)}, ink(0xFFFFFF, .08f));
+  y += px(9);
+}
+
 void colourBalls(Atelier& atelier, const Rect& at) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float x = float(at.centre().x), y = float(at.high.y) - px(32);
@@ -57,26 +76,24 @@ void drawToolColumn(const PanelContext& context) {
       {{ActionKind::add, Command::toolAdd},
        {ActionKind::remove, Command::toolRemove},
        {ActionKind::erase, Command::toolErase},
-       {ActionKind::smooth, Command::toolSmooth}},
+       {ActionKind::smooth, Command::toolSmooth},
+       {ActionKind::stamp, Command::toolStamp}},
       {{ActionKind::push, Command::toolPush},
        {ActionKind::grip, Command::toolGrip},
        {ActionKind::swell, Command::toolSwell}},
       {{ActionKind::paint, Command::toolPaint}, {ActionKind::paintSoft, Command::toolPaintSoft}},
       {{ActionKind::hold, Command::toolHold}}};
-  ImDrawList* list = ImGui::GetWindowDrawList();
   float y = float(at.low.y) + px(10);
   const float left = float(at.low.x) + px(8);
   for (const std::vector<Cell>& group : groups) {
-    if (&group != &groups[0]) {
-      list->AddLine({float(at.low.x) + px(18), y + px(3)}, {float(at.high.x) - px(18), y + px(3)},
-                    ink(0xFFFFFF, .08f));
-      y += px(9);
-    }
+    if (&group != &groups[0]) separator(at, y);
     for (const Cell& cell : group) {
       toolCell(context.atelier, cell, left, y);
       y += px(48);
     }
   }
+  separator(at, y);
+  shelfCell(context.atelier, left, y);
   colourBalls(context.atelier, at);
   ImGui::End();
 }

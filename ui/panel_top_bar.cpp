@@ -73,6 +73,7 @@ void menus(Atelier& atelier) {
   menu("Edit", [&] { editMenu(atelier); });
   menu("View", [&] { groupMenu(atelier, CommandGroup::view); });
   menu("Tools", [&] { toolsMenu(atelier); });
+  menu("Clay", [&] { groupMenu(atelier, CommandGroup::matter); });
   menu("Help", [&] { menuLine(atelier, Command::showHelp); });
   ImGui::PopStyleVar();
 }

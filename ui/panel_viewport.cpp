@@ -102,6 +102,7 @@ void drawViewportMarks(const PanelContext& context) {
     seams(context.layout);
   }
   label(list, context.atelier, at);
+  drawSupportKnobs(context);
   rope(list, context.atelier);
   dragValue(list, context.atelier);
 }

@@ -35,6 +35,7 @@ bool isShown(const LookCard& card, const Look& look);
 struct UiPictures {
   std::array<ImTextureID, kLookCards.size()> balls{};
   std::map<std::uint64_t, ImTextureID> steps;  ///< by StepLine::id
+  std::map<std::uint64_t, ImTextureID> tools;  ///< by ShelfCard::pictureId
 };
 
 /// What the frame before took.
@@ -53,6 +54,7 @@ struct PanelContext {
 
 void drawTopBar(const PanelContext& context);
 void drawToolColumn(const PanelContext& context);
+void drawShelf(const PanelContext& context);
 void drawProperties(const PanelContext& context);
 void drawStatusLine(const PanelContext& context);
 void drawViewportMarks(const PanelContext& context);
@@ -69,6 +71,13 @@ void toolSection(Atelier& atelier);
 void shapeSection(Atelier& atelier);
 void lookSection(Atelier& atelier, const UiPictures& pictures);
 void colourSection(Atelier& atelier);
+void stampSection(Atelier& atelier);
+void placementSection(Atelier& atelier);
+void movingSection(Atelier& atelier);
+void ledgerSection(Atelier& atelier);
+void holdSection(Atelier& atelier);
+void supportSection(Atelier& atelier);
+void drawSupportKnobs(const PanelContext& context);
 void strokeSection(Atelier& atelier);
 void symmetrySection(Atelier& atelier);
 void lightSection(Atelier& atelier);

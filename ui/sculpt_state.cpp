@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 namespace bozzetto::ui {
 namespace {
@@ -16,6 +17,7 @@ constexpr std::array<ToolRow, kToolCount> kTools{{
     {paint, Icon::paint, "Paint", "Paint", "colour with a sharp rim", paintSoft, false, true},
     {paintSoft, Icon::softPaint, "Soft paint", "Paint", "colour that fades out", paint, true, true},
     {smooth, Icon::smooth, "Smooth", "Smooth", "evens out bumps", smooth, true, false},
+    {stamp, Icon::stamp, "Stamp", "Print", "prints, and clay rises round it", add, true, false},
     {hold, Icon::hold, "Hold", "Hold", "keeps clay as it is", hold, true, false},
     {push, Icon::push, "Push", "Push", "clay gives way, none is lost", push, true, false},
     {grip, Icon::grip, "Grip", "Grip", "drags clay along", grip, true, false},
@@ -31,12 +33,15 @@ constexpr std::array<Colour, 14> kColours{
     rgb(0xA9604F), rgb(0x4F6D5E), rgb(0x6B7F93), rgb(0xE8DFD2), rgb(0x3E3431),
     rgb(0xD9A441), rgb(0xB24A3A), rgb(0x3F6E6A), rgb(0x1E1C1B)};
 
-// The shortest turn that brings y to `direction`.
-glm::dquat fromY(const glm::dvec3& direction) {
-  const glm::dvec3 y(0, 1, 0);
-  if (glm::dot(direction, y) < -0.999999) return {0, 1, 0, 0};
-  return glm::normalize(glm::dquat(1 + glm::dot(y, direction), glm::cross(y, direction)));
+// The shortest turn that brings one direction to another, both of length 1.
+glm::dquat turnBetween(const glm::dvec3& from, const glm::dvec3& to) {
+  const double cosine = glm::dot(from, to);
+  if (cosine > -0.999999) return glm::normalize(glm::dquat(1 + cosine, glm::cross(from, to)));
+  const glm::dvec3 helper = std::abs(from.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+  return glm::angleAxis(glm::pi<double>(), glm::normalize(glm::cross(from, helper)));
 }
+
+constexpr glm::dvec3 kUp(0, 1, 0);
 
 }  // namespace
 
@@ -51,14 +56,69 @@ double PressureCurve::operator()(double pressure) const {
 }
 
 ToolShape SculptState::tool(const glm::dvec3& normal, const glm::dvec3& towardsViewer) const {
+  if (isFreeform()) return freeformTool(towardsViewer);
   ToolShape made{shape, profile, radii(), rotation};
-  if (alignment == Alignment::normal) made.rotation = fromY(normal) * rotation;
-  if (alignment == Alignment::view) made.rotation = fromY(towardsViewer) * rotation;
+  if (placement.toNormal) return made;
+  if (alignment == Alignment::normal) made.rotation = turnBetween(kUp, normal) * rotation;
+  if (alignment == Alignment::view) made.rotation = turnBetween(kUp, towardsViewer) * rotation;
   return made;
 }
 
+ToolShape SculptState::freeformTool(const glm::dvec3& towardsViewer) const {
+  ToolShape made{shape, profile, {}, rotation, freeform->sculpture};
+  made.scale = proportions * (size / freeform->size);
+  made.radii = freeformRadii(*freeform->sculpture, made.scale);
+  if (alignment == Alignment::view && !placement.toNormal)
+    made.rotation = turnBetween(-freeform->sculpture->contact(), towardsViewer) * rotation;
+  return made;
+}
+
+glm::dquat SculptState::standing(const ToolShape& made, const glm::dvec3& normal) const {
+  if (!placement.toNormal) return made.rotation;
+  const glm::dvec3 contact = made.sculpture ? made.sculpture->contact() : glm::dvec3(0, 0, -1);
+  const glm::dvec3 outward = -(made.rotation * contact);
+  return turnBetween(outward, normal) * made.rotation;
+}
+
+ToolOperation SculptState::toolOperation(const ToolShape& made) const {
+  if (made.shape != Shape::freeform) return {made};
+  return {made, freeform->source};
+}
+
+void SculptState::take(const Freeform& taken, double cell) {
+  const bool fits = taken.size > 3 * cell && taken.size < 128 * cell;
+  shape = Shape::freeform;
+  freeform = taken;
+  proportions = glm::dvec3(1);
+  rotation = {1, 0, 0, 0};
+  if (fits) size = taken.size;
+  for (const Operation& operation : taken.preset) {
+    if (const auto* tool = std::get_if<ToolOperation>(&operation)) rotation = tool->shape.rotation;
+    if (const auto* doing = std::get_if<ActionOperation>(&operation)) {
+      action = doing->action.kind;
+      strengthOf(action) = doing->action.strength;
+      ownColours = doing->action.ownColours;
+      if (action == ActionKind::stamp) stamp = doing->action.stamp;
+    }
+    if (const auto* made = std::get_if<StrokeOperation>(&operation)) {
+      spacing = made->stroke.spacing;
+      placement = made->stroke.placement;
+    }
+    if (const auto* clays = std::get_if<ClayOperation>(&operation)) clay = clays->settings;
+  }
+}
+
+void SculptState::drop() {
+  shape = Shape::ellipsoid;
+  freeform.reset();
+  placement = {};
+}
+
 ActionOptions SculptState::options(ActionKind kind) const {
-  return {kind, rowOf(kind).usesStrength ? strengthOf(kind) : 1, colour};
+  ActionOptions made{kind, rowOf(kind).usesStrength ? strengthOf(kind) : 1, colour};
+  made.ownColours = ownColours && isFreeform();
+  made.stamp = stamp;
+  return made;
 }
 
 Stroke SculptState::strokeFrom(const StrokePoint& first) const {
@@ -67,6 +127,7 @@ Stroke SculptState::strokeFrom(const StrokePoint& first) const {
   stroke.spacing = spacing;
   stroke.pressure = {pressureStrength, pressureSize};
   stroke.symmetry = symmetry;
+  stroke.placement = placement;
   return stroke;
 }
 

@@ -5,13 +5,30 @@
 #include <span>
 #include <string_view>
 
+#include "bozzetto/clay/settings.hpp"
+#include "bozzetto/sculptor/operation.hpp"
 #include "bozzetto/tool/action.hpp"
+#include "bozzetto/tool/sculpture.hpp"
 #include "bozzetto/tool/shape.hpp"
 #include "bozzetto/tool/stroke.hpp"
+#include "ui/freeform.hpp"
 
 namespace bozzetto::ui {
 
-enum class Icon { add, carve, erase, smooth, paint, softPaint, hold, push, grip, swell };
+enum class Icon {
+  add,
+  carve,
+  erase,
+  smooth,
+  paint,
+  softPaint,
+  stamp,
+  hold,
+  push,
+  grip,
+  swell,
+  shelf
+};
 
 struct ToolRow {
   ActionKind action;
@@ -24,7 +41,7 @@ struct ToolRow {
   bool usesColour;
 };
 
-inline constexpr int kToolCount = 10;
+inline constexpr int kToolCount = 11;
 std::span<const ToolRow, kToolCount> toolTable();
 const ToolRow& rowOf(ActionKind action);
 
@@ -49,7 +66,7 @@ struct SculptState {
   glm::dquat rotation{1, 0, 0, 0};
   Alignment alignment = Alignment::normal;
   /// By action, in ActionKind's order.
-  std::array<double, kToolCount> strength{0.35, 0.35, 1, 1, 0.6, 0.6, 0.6, 0.7, 0.8, 0.5};
+  std::array<double, kToolCount> strength{0.35, 0.35, 1, 1, 0.6, 0.6, 0.8, 0.6, 0.7, 0.8, 0.5};
   double depth = 0;  ///< of the tool's centre over the surface, in radii
   Colour colour, second{0xdc, 0xcb, 0xaa};
 
@@ -59,6 +76,12 @@ struct SculptState {
   bool pressureStrength = true, pressureSize = false;
   PressureCurve curve;
   Symmetry symmetry;
+  Placement placement;
+
+  std::optional<Freeform> freeform;  ///< the sculpture in the hand; counts where the shape says so
+  bool ownColours = false;           ///< adds and paints with the sculpture's colours
+  StampOptions stamp;
+  clay::Settings clay;  ///< how clay gives way to what moves it
 
   bool air = true;  ///< strokes may start in empty air
   EmptyDrag emptyDrag = EmptyDrag::sculpt;
@@ -69,9 +92,22 @@ struct SculptState {
 
   /// The tool standing on a surface with this normal, seen from `towardsViewer`.
   ToolShape tool(const glm::dvec3& normal, const glm::dvec3& towardsViewer) const;
+  /// The same as an operation.
+  ToolOperation toolOperation(const ToolShape& made) const;
   ActionOptions options(ActionKind kind) const;
+  /// The rotation with which a dab stands on a surface with this normal.
+  glm::dquat standing(const ToolShape& made, const glm::dvec3& normal) const;
+  bool isFreeform() const { return shape == Shape::freeform && freeform.has_value(); }
+  /// Takes a sculpture in the hand, in its own size where that fits cells of `cell`, and does
+  /// what it was kept with.
+  void take(const Freeform& taken, double cell);
+  /// Lets go of the sculpture.
+  void drop();
   /// A stroke that starts at this point.
   Stroke strokeFrom(const StrokePoint& first) const;
+
+ private:
+  ToolShape freeformTool(const glm::dvec3& towardsViewer) const;
 };
 
 /// The action that a stroke does with these keys held.

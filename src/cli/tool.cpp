@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "bozzetto/base/file.hpp"
-#include "bozzetto/io/relief.hpp"
 #include "bozzetto/sculptor/recording.hpp"
 #include "bozzetto/sculptor/tool_library.hpp"
 #include "cli/progress_bar.hpp"
@@ -18,9 +17,8 @@ using Json = nlohmann::ordered_json;
 
 struct MakeArguments {
   ToolSource source;
-  std::string text, font, out, name, tags, preset;
+  std::string out, name, tags, preset;
   std::vector<double> region, pivot, contact;
-  double size = 16, depth = 4, spacing = 0.25;
 };
 
 std::optional<glm::dvec3> vectorOf(const std::vector<double>& numbers) {
@@ -38,18 +36,6 @@ std::vector<std::string> wordsOf(const std::string& list) {
   return words;
 }
 
-ShelfTool letters(const MakeArguments& arguments) {
-  TextOptions options;
-  options.font = arguments.font;
-  const GreyImage image = drawText(arguments.text, options);
-  const double width = image.width * arguments.size / options.pixels;
-  ShelfTool tool;
-  tool.name = arguments.text;
-  tool.clay = relief(image, {width, arguments.depth, arguments.spacing, {}});
-  tool.pivot = glm::dvec3(0);
-  return tool;
-}
-
 // A recording's operations, header and all, as a preset.
 std::vector<Operation> presetFrom(const std::string& path) {
   return path.empty() ? std::vector<Operation>{} : readRecording(path).operations;
@@ -64,9 +50,9 @@ void make(const MakeArguments& arguments) {
   }
   source.pivot = vectorOf(arguments.pivot);
   source.contact = vectorOf(arguments.contact);
-  if (source.from.empty() == arguments.text.empty())
+  if (source.from.empty() == source.text.empty())
     throw Error("tool make: either a source or --text expected");
-  ShelfTool tool = source.from.empty() ? letters(arguments) : toolFrom(source, progress);
+  ShelfTool tool = toolFrom(source, progress);
   if (!arguments.name.empty()) tool.name = arguments.name;
   if (!arguments.tags.empty()) tool.tags = wordsOf(arguments.tags);
   const auto preset = presetFrom(arguments.preset);
@@ -159,11 +145,11 @@ void addMake(CLI::App& tool) {
   command->add_option("--cells", a->source.cells, "Along the longest side of meshes and pictures");
   command->add_option("--width", a->source.width, "Of a picture's relief, world units");
   command->add_option("--height", a->source.height, "Of white in it, world units");
-  command->add_option("--text", a->text, "Letters in place of a source");
-  command->add_option("--font", a->font, "A font file in place of the packaged one");
-  command->add_option("--size", a->size, "Of a capital letter with its room, world units");
-  command->add_option("--depth", a->depth, "Of letters, world units");
-  command->add_option("--spacing", a->spacing, "Of letters: world units per cell");
+  command->add_option("--text", a->source.text, "Letters in place of a source");
+  command->add_option("--font", a->source.font, "A font file in place of the packaged one");
+  command->add_option("--size", a->source.letterSize,
+                      "Of a capital letter with its room, world units");
+  command->add_option("--depth", a->source.letterDepth, "Of letters, world units");
   command->add_option("--preset", a->preset, "A recording whose tool, action, stroke go with it");
   command->callback([a] { make(*a); });
 }

@@ -25,6 +25,10 @@ ToolSource readSource(JsonObject& object, const char* key) {
   source.cells = object.number("cells", source.cells);
   source.width = object.number("width", source.width);
   source.height = object.number("height", source.height);
+  source.text = object.text("text", "");
+  source.font = object.text("font", "");
+  source.letterSize = object.number("size", source.letterSize);
+  source.letterDepth = object.number("depth", source.letterDepth);
   return source;
 }
 
@@ -37,6 +41,10 @@ void writeSource(const ToolSource& source, const char* key, Json& json) {
   if (source.cells != usual.cells) json["cells"] = source.cells;
   if (source.width != usual.width) json["width"] = source.width;
   if (source.height != usual.height) json["height"] = source.height;
+  if (!source.text.empty()) json["text"] = source.text;
+  if (!source.font.empty()) json["font"] = source.font;
+  if (source.letterSize != usual.letterSize) json["size"] = source.letterSize;
+  if (source.letterDepth != usual.letterDepth) json["depth"] = source.letterDepth;
 }
 
 namespace {

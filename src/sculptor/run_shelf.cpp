@@ -17,7 +17,7 @@ std::vector<ShelfItem>::iterator itemNamed(ToolLibrary& tools, const std::string
 template <int Side>
 ShelfTool toolFrom(const ToolSource& source, Workbench<Side>& bench, const Telling& telling) {
   ShelfTool tool;
-  if (source.from.empty()) {
+  if (source.isAtHand()) {
     tool.clay = withSide<8>(bench.field());
   } else {
     tool = bench.tools.load(source, telling.progress);

@@ -18,8 +18,8 @@ void run(const ToolOperation& operation, Workbench<Side>& bench, const Telling& 
   ToolShape shape = operation.shape;
   if (operation.source) {
     const ToolSource& source = *operation.source;
-    shape.sculpture = source.from.empty() ? sculptureOf(atHand(bench.field()), source)
-                                          : bench.tools.sculpture(source, telling.progress);
+    shape.sculpture = source.isAtHand() ? sculptureOf(atHand(bench.field()), source)
+                                        : bench.tools.sculpture(source, telling.progress);
   }
   const FittedTool fitted = fitTool(shape, bench.field().scale.spacing);
   if (!fitted.notice.empty()) telling.progress.note(fitted.notice);

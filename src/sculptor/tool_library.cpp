@@ -32,6 +32,7 @@ KeyBox cornersOf(const WorldBox& box, double spacing) {
 
 std::string keyOf(const ToolSource& s) {
   std::string key = fmt::format("{} {} {} {}", s.from, s.cells, s.width, s.height);
+  key += fmt::format(" {} {} {} {}", s.text, s.font, s.letterSize, s.letterDepth);
   const auto add = [&](const glm::dvec3& v) { key += fmt::format(" {} {} {}", v.x, v.y, v.z); };
   if (s.region) {
     add(s.region->low);
@@ -61,6 +62,19 @@ Clay clayOfPicture(const fs::path& path, const ToolSource& source) {
   const double longest =
       source.width * std::max(1.0, double(image.height) / double(std::max(image.width, 1)));
   return relief(image, {source.width, source.height, longest / source.cells, {}});
+}
+
+// 64 cells a capital.
+ShelfTool letters(const fs::path& folder, const ToolSource& source) {
+  TextOptions options;
+  if (!source.font.empty()) options.font = folder / source.font;
+  const GreyImage image = drawText(source.text, options);
+  const double width = image.width * source.letterSize / options.pixels;
+  ShelfTool tool;
+  tool.name = source.text;
+  tool.clay = relief(image, {width, source.letterDepth, source.letterSize / 64, {}});
+  tool.pivot = glm::dvec3(0);
+  return tool;
 }
 
 Clay clayOfRecording(const fs::path& path, int depth, Progress& progress) {
@@ -115,6 +129,7 @@ ShelfTool ToolLibrary::find(const std::string& name, Progress& progress) const {
 }
 
 ShelfTool ToolLibrary::load(const ToolSource& source, Progress& progress) const {
+  if (!source.text.empty()) return letters(folder, source);
   if (source.from.starts_with(kShelf)) return find(source.from.substr(kShelf.size()), progress);
   const fs::path path = folder / source.from;
   const std::string extension = path.extension().string();

@@ -286,10 +286,23 @@ TEST_F(Tools, aNameThatIsKeptAgainMeansTheNewTool) {
   EXPECT_EQ(fieldHash(made), fieldHash(replayed("{\"op\":\"fill\",\"radii\":[5,5,5]}")));
 }
 
+TEST_F(Tools, lettersAreASource) {
+  const auto shelf =
+      replay(recordingOf("{\"op\":\"shelf_keep\",\"name\":\"hi\",\"text\":\"Hi\",\"size\":8}"), {})
+          .shelf;
+  ASSERT_EQ(shelf.size(), 1u);
+  const Clay letters = fromItem(shelf[0]).clay;
+  EXPECT_DOUBLE_EQ(letters.scale.spacing, 0.125);
+  const KeyBox box = boundsOf(letters);
+  EXPECT_GT(box.high.i - box.low.i, 40);
+  EXPECT_LE((box.high.k - box.low.k) * 0.125, 4.5);
+}
+
 TEST_F(Tools, shelfOperationsComeBackFromTheirText) {
   for (const char* line :
        {"{\"op\":\"shelf_keep\",\"name\":\"a\",\"from\":\"shelf:leaf\",\"tags\":[\"x\"],"
         "\"preset\":[{\"op\":\"action\",\"name\":\"stamp\"}]}",
+        "{\"op\":\"tool\",\"shape\":\"freeform\",\"text\":\"Ab\",\"size\":9}",
         "{\"op\":\"shelf_rename\",\"name\":\"a\",\"to\":\"b\"}",
         "{\"op\":\"shelf_drop\",\"name\":\"b\"}",
         "{\"op\":\"support_move\",\"number\":2,\"shape\":\"box\",\"center\":[1,2,3]}",

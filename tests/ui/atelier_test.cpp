@@ -1,68 +1,12 @@
 // The window without a window: events in, clay out.
-#include "ui/atelier.hpp"
-
-#include <gtest/gtest.h>
-
 #include <filesystem>
 
-#include "ui/interface.hpp"
+#include "ui/null_window.hpp"
 
 namespace bozzetto::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// An atelier behind an interface that nobody draws.
-class Null : public ::testing::Test {
- protected:
-  Null() : atelier_(Atelier::Options{}), interface_(atelier_) { settle(); }
-
-  void frame() {
-    now_ += 1 / 60.0;
-    Publication fresh = interface_.frame(size_, now_);
-    uploaded_ += fresh.uploadBytes();
-  }
-  // All events read, all clay done, all of it taken.
-  void settle() {
-    do {
-      frame();
-    } while (interface_.hasEvents());
-    atelier_.worker().waitUntilSettled();
-    frame();
-    while (atelier_.job() || atelier_.hasNews()) {
-      atelier_.worker().waitUntilSettled();
-      frame();
-    }
-    frame();
-  }
-  void post(InputEvent event) { interface_.post(std::move(event)); }
-  void moveTo(glm::dvec2 at) { post(PointerMoved{at, 1}); }
-  void tap(KeyCode key) {
-    post(KeyChanged{key, true, false});
-    post(KeyChanged{key, false, false});
-  }
-  void tapCtrl(KeyCode key) {
-    post(KeyChanged{KeyCode::leftControl, true, false});
-    tap(key);
-    post(KeyChanged{KeyCode::leftControl, false, false});
-  }
-  void drag(glm::dvec2 from, glm::dvec2 to, Button button = Button::left) {
-    moveTo(from);
-    post(ButtonChanged{button, true});
-    for (int n = 1; n <= 10; ++n) moveTo(from + (to - from) * (n / 10.0));
-    post(ButtonChanged{button, false});
-    settle();
-  }
-  glm::dvec2 middle() const { return interface_.layout().viewport.centre(); }
-  double mass() { return atelier_.status().mass; }
-  std::size_t steps() { return atelier_.status().done; }
-
-  glm::dvec2 size_{1280, 800};
-  Atelier atelier_;
-  Interface interface_;
-  double now_ = 0;
-  std::size_t uploaded_ = 0;
-};
 
 TEST_F(Null, opensOnABallFramedInTheFreeViewport) {
   EXPECT_FALSE(atelier_.patches().empty());
@@ -252,19 +196,10 @@ TEST_F(Null, whatWasDoneByHandCanBeReplayed) {
   drag(middle(), middle() + glm::dvec2(60, 20));
   tap(static_cast<KeyCode>('2'));
   drag(middle(), middle() + glm::dvec2(-30, 50));
-  std::uint64_t hash = 0, again = 1;
-  const auto hashOf = [this](std::uint64_t& into) {
-    atelier_.worker().post([&](ClayDesk& desk) { into = fieldHash(desk.sculptor().field()); });
-    settle();
-  };
-  hashOf(hash);
+  const std::uint64_t hash = this->hash();
   atelier_.saveRecording(path);
   settle();
-  atelier_.worker().post([](ClayDesk& desk) { desk.startNew(NewClay::empty); });
-  atelier_.replay(path);
-  settle();
-  hashOf(again);
-  EXPECT_EQ(again, hash);
+  EXPECT_EQ(replayed(path), hash);
 }
 
 TEST_F(Null, thePuckHoldsTheToolWhileTheMouseTurnsTheScene) {

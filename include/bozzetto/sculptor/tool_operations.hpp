@@ -24,6 +24,13 @@ struct ToolSource {
   std::optional<glm::dvec3> contact;
   double cells = 96;              ///< along the longest side of meshes and pictures
   double width = 64, height = 8;  ///< of pictures' reliefs, world units
+  std::string text{};             ///< in place of a file: letters as a relief
+  std::string font{};             ///< of these; a file; empty: a packaged one
+  double letterSize = 16;         ///< of a capital with its room, world units
+  double letterDepth = 4;         ///< world units
+
+  /// The clay that is being worked on.
+  bool isAtHand() const { return from.empty() && text.empty(); }
 };
 
 /// union, subtract or intersect the clay with a file's or a shelf's.

@@ -1,0 +1,226 @@
+// The drawer with shelves: tools are taken, used, kept, renamed, shared and deleted.
+#include <cstdlib>
+
+#include "bozzetto/sculptor/shelf_tool.hpp"
+#include "ui/null_window.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Shelf : public Null {
+ protected:
+  Shelf() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    ::setenv("XDG_DATA_HOME", folder_.c_str(), 1);
+    tap(letter('Q'));
+    settle();
+  }
+  ~Shelf() override { fs::remove_all(folder_); }
+
+  const ShelfCard* card(const std::string& name) {
+    for (const ShelfCard& each : atelier_.shelf.cards)
+      if (each.entry.name == name) return &each;
+    return nullptr;
+  }
+  void take(const std::string& name) {
+    ASSERT_NE(card(name), nullptr) << name;
+    atelier_.takeTool(card(name)->entry);
+    settle();
+  }
+  // Of the first card.
+  glm::dvec2 firstCard() const { return interface_.layout().drawer.low + glm::dvec2(44, 170); }
+
+  const fs::path folder_ = fs::path(::testing::TempDir()) / "bozzetto_shelf";
+};
+
+TEST_F(Shelf, theDrawerStandsBesideTheTools) {
+  EXPECT_TRUE(atelier_.shelf.open);
+  EXPECT_EQ(interface_.layout().drawer.low, glm::dvec2(60, 44));
+  EXPECT_EQ(interface_.layout().viewport.low.x, 296);
+  EXPECT_GE(atelier_.shelf.cards.size(), 12u);
+  tap(letter('Q'));
+  settle();
+  EXPECT_EQ(interface_.layout().viewport.low.x, 60);
+}
+
+TEST_F(Shelf, aClickTakesTheToolWithWhatItDoes) {
+  click(firstCard());
+  ASSERT_TRUE(atelier_.sculpt.isFreeform());
+  EXPECT_EQ(atelier_.sculpt.freeform->name, "brick");
+  EXPECT_EQ(atelier_.sculpt.action, ActionKind::add);
+  EXPECT_TRUE(atelier_.sculpt.ownColours);
+  EXPECT_TRUE(atelier_.sculpt.placement.toNormal);
+  EXPECT_DOUBLE_EQ(atelier_.sculpt.spacing, 5);
+  EXPECT_FALSE(atelier_.sculpt.freeform->mesh->indices.empty());
+}
+
+TEST_F(Shelf, everyActionWorksWithASculptureAndReplays) {
+  take("leaf");
+  ASSERT_TRUE(atelier_.sculpt.isFreeform());
+  atelier_.sculpt.size = 14;
+  atelier_.sculpt.spacing = 0.6;
+  std::uint64_t last = hash();
+  double offset = -120;
+  for (const ToolRow& row : toolTable()) {
+    if (movesClay(row.action)) continue;
+    atelier_.setTool(row.action);
+    const glm::dvec2 from = middle() + glm::dvec2(offset, -40);
+    drag(from, from + glm::dvec2(24, 50));
+    offset += 28;
+    EXPECT_NE(hash(), last) << row.title;
+    last = hash();
+  }
+  expectReplays();
+}
+
+TEST_F(Shelf, aPushWithASculptureReplays) {
+  take("thumb");
+  atelier_.setTool(ActionKind::push);
+  atelier_.sculpt.size = 8;
+  const std::uint64_t before = hash();
+  drag(middle(), middle() + glm::dvec2(20, 8));
+  EXPECT_NE(hash(), before);
+  expectReplays();
+}
+
+TEST_F(Shelf, theGhostStandsOnTheClay) {
+  take("leaf");
+  moveTo(middle());
+  settle();
+  for (const ToolDisplay display : {ToolDisplay::solid, ToolDisplay::wire}) {
+    atelier_.options.tool = display;
+    const Overlays overlays = atelier_.overlays();
+    ASSERT_EQ(overlays.tools.size(), 1u);
+    EXPECT_EQ(overlays.tools[0].display, display);
+    EXPECT_EQ(overlays.tools[0].mesh, atelier_.sculpt.freeform->mesh);
+    // Its contact side, −z, faces into the clay.
+    const glm::dvec3 outward(overlays.tools[0].cellsFromTool[2]);
+    EXPECT_GT(glm::dot(glm::normalize(outward), atelier_.hover().ground->normal), 0.999);
+  }
+}
+
+TEST_F(Shelf, aRegionIsKeptTakenAndReplayed) {
+  drag(middle(), middle() + glm::dvec2(60, 20));
+  atelier_.options.boxSize = WorkspaceBox{{0, -60, 0}, {60, 60, 60}};
+  atelier_.keepClay("corner", {"part"}, ShelfDrawer::Part::insideBox);
+  settle();
+  ASSERT_NE(card("corner"), nullptr);
+  EXPECT_EQ(card("corner")->entry.place, ToolEntry::Place::document);
+  take("corner");
+  EXPECT_GT(atelier_.sculpt.freeform->size, 20);
+  atelier_.sculpt.size = 12;
+  drag(middle() + glm::dvec2(-80, 0), middle() + glm::dvec2(-60, 30));
+  expectReplays();
+}
+
+TEST_F(Shelf, theKeepFormWorksByPointerAndKeys) {
+  const Rect& at = interface_.layout().drawer;
+  click({at.low.x + 40, at.high.y - 26});  // Keep…
+  ASSERT_EQ(atelier_.shelf.form, ShelfDrawer::Form::keep);
+  settle();
+  tapCtrl(letter('A'));
+  type("my ball");
+  tap(KeyCode::enter);
+  settle();
+  EXPECT_EQ(atelier_.shelf.form, ShelfDrawer::Form::none);
+  EXPECT_NE(card("my ball"), nullptr);
+}
+
+TEST_F(Shelf, toolsAreRenamedSharedAndDeleted) {
+  atelier_.keepClay("ball", {}, ShelfDrawer::Part::allClay);
+  settle();
+  atelier_.renameTool(card("ball")->entry, "orb", {"round"});
+  settle();
+  EXPECT_EQ(card("ball"), nullptr);
+  ASSERT_NE(card("orb"), nullptr);
+  EXPECT_EQ(card("orb")->entry.tags, std::vector<std::string>{"round"});
+  atelier_.shareTool(card("orb")->entry, folder_ / "orb.bzt");
+  settle();
+  EXPECT_EQ(loadTool(folder_ / "orb.bzt").name, "orb");
+  atelier_.keepForUser(card("orb")->entry);
+  settle();
+  EXPECT_TRUE(fs::exists(userToolFolder() / "orb.bzt"));
+  atelier_.dropTool(card("orb")->entry);
+  settle();
+  ASSERT_NE(card("orb"), nullptr) << "the library's is left";
+  EXPECT_EQ(card("orb")->entry.place, ToolEntry::Place::user);
+  atelier_.renameTool(card("orb")->entry, "globe", {});
+  settle();
+  EXPECT_TRUE(fs::exists(userToolFolder() / "globe.bzt"));
+  atelier_.dropTool(card("globe")->entry);
+  settle();
+  EXPECT_EQ(card("globe"), nullptr);
+}
+
+TEST_F(Shelf, filesAndLettersBecomeTools) {
+  atelier_.keepClay("ball", {}, ShelfDrawer::Part::allClay);
+  settle();
+  atelier_.shareTool(card("ball")->entry, folder_ / "sphere.bzt");
+  settle();
+  post(FilesDropped{{(folder_ / "sphere.bzt").string()}});
+  settle();
+  EXPECT_NE(card("sphere"), nullptr);
+  atelier_.keepLetters("Ab", 12, 3);
+  settle();
+  ASSERT_NE(card("Ab"), nullptr);
+  take("Ab");
+  atelier_.setTool(ActionKind::stamp);
+  drag(middle(), middle() + glm::dvec2(3, 3));
+  expectReplays();
+}
+
+TEST_F(Shelf, theShelfIsSavedWithTheScene) {
+  atelier_.keepClay("ball", {}, ShelfDrawer::Part::allClay);
+  settle();
+  const fs::path path = folder_ / "scene.bzt";
+  atelier_.saveScene(path);
+  settle();
+  atelier_.run(Command::newEmpty);
+  settle();
+  EXPECT_EQ(card("ball"), nullptr);
+  atelier_.openScene(path);
+  settle();
+  EXPECT_NE(card("ball"), nullptr);
+}
+
+TEST_F(Shelf, searchFindsNamesAndTags) {
+  atelier_.shelf.query = "plant";
+  int shown = 0;
+  for (const ShelfCard& each : atelier_.shelf.cards) shown += atelier_.shelf.shows(each);
+  EXPECT_EQ(shown, 1);
+}
+
+TEST_F(Null, aStampPrintsAndReplays) {
+  tap(letter('D'));
+  settle();
+  ASSERT_EQ(atelier_.sculpt.action, ActionKind::stamp);
+  atelier_.sculpt.stamp.conserving = true;
+  atelier_.sculpt.stamp.height = 0.5;
+  const std::uint64_t before = hash();
+  drag(middle(), middle() + glm::dvec2(30, 8));
+  EXPECT_NE(hash(), before);
+  expectReplays();
+}
+
+TEST_F(Null, dabsStandAsThePlacementSays) {
+  Placement& placement = atelier_.sculpt.placement;
+  placement.toNormal = placement.alongStroke = true;
+  placement.jitter = {0.5, 0.3, 40, 7};
+  placement.copies = {2, 1, 1};
+  placement.copyStep = {20, 0, 0};
+  const double before = mass();
+  drag(middle(), middle() + glm::dvec2(60, 20));
+  EXPECT_GT(mass(), before);
+  placement = {};
+  placement.anchored = true;
+  atelier_.setTool(ActionKind::remove);
+  drag(middle(), middle() + glm::dvec2(0, 50));
+  EXPECT_EQ(atelier_.status().last.dabs, 1);
+  expectReplays();
+}
+
+}  // namespace
+}  // namespace bozzetto::ui

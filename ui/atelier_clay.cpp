@@ -1,0 +1,96 @@
+// Clay that behaves like clay: what is held, what stands in its way, and running its layers.
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "ui/atelier.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+constexpr double kKnobPixels = 14;
+
+}  // namespace
+
+void Atelier::relax() {
+  whenDone(
+      worker_.start("Relaxing", [settings = ClayOperation{sculpt.clay}, steps = relaxSteps](
+                                    ClayDesk& desk,
+                                    Progress& progress) { desk.relax(settings, steps, progress); }),
+      {});
+}
+
+// In the workspace box; the first time that is shown.
+void Atelier::holdBox() {
+  if (!options.box || !options.boxSize) return run(Command::fitBox);
+  apply(HoldOperation{options.boxSize->low, options.boxSize->high, 1});
+}
+
+void Atelier::placeTable() {
+  const double spacing = status_.scale.spacing;
+  const CellBounds& all = patches_.bounds();
+  clay::Support table;
+  const glm::dvec3 low = all.empty() ? glm::dvec3(-48) : all.low;
+  const glm::dvec3 high = all.empty() ? glm::dvec3(48) : all.high;
+  const glm::dvec3 half = (high - low) * (spacing / 2);
+  table.radii = {half.x * 1.3, std::max(4 * spacing, half.y * 0.06), half.z * 1.3};
+  table.centre = (low + high) * (spacing / 2);
+  table.centre.y = low.y * spacing - table.radii.y;
+  apply(SupportOperation{table});
+  chosenSupport = status_.clay.supports.size();
+}
+
+void Atelier::placeToolAsSupport(const glm::dvec3& at) {
+  clay::Support support;
+  const ToolShape tool = toolAt({at, view.back()});
+  support.shape = tool.shape == Shape::freeform ? Shape::ellipsoid : tool.shape;
+  support.radii = tool.radii;
+  support.rotation = tool.rotation;
+  support.centre = at;
+  apply(SupportOperation{support});
+  chosenSupport = status_.clay.supports.size();
+}
+
+void Atelier::moveSupport(std::size_t n, const clay::Support& support) {
+  touch();
+  worker_.post(
+      [move = SupportMoveOperation{int(n), support}](ClayDesk& desk) { desk.moveSupport(move); });
+  status_.clay.supports[n] = support;  // what is drawn need not wait
+}
+
+void Atelier::dropSupport(std::size_t n) {
+  chosenSupport.reset();
+  apply(SupportDropOperation{int(n)});
+}
+
+std::optional<std::size_t> Atelier::supportAt(glm::dvec2 pixel) const {
+  const auto& supports = status_.clay.supports;
+  for (std::size_t n = 0; n < supports.size(); ++n) {
+    const glm::dvec2 knob = pixelOf(view, extent_, supports[n].centre);
+    if (glm::length(knob - pixel) < kKnobPixels * scale_) return n;
+  }
+  return std::nullopt;
+}
+
+// Along the plane that faces the viewer.
+void Atelier::dragSupport(glm::dvec2 to) {
+  if (!chosenSupport || *chosenSupport >= status_.clay.supports.size()) return;
+  clay::Support support = status_.clay.supports[*chosenSupport];
+  const glm::dvec3 from = onFacingPlane(view, rayThrough(view, extent_, pointer_), support.centre);
+  support.centre += onFacingPlane(view, rayThrough(view, extent_, to), support.centre) - from;
+  moveSupport(*chosenSupport, support);
+}
+
+void Atelier::addSupports(Overlays& overlays) const {
+  const double spacing = status_.scale.spacing;
+  const auto& supports = status_.clay.supports;
+  for (std::size_t n = 0; n < supports.size(); ++n) {
+    const clay::Support& support = supports[n];
+    ToolShape shape{support.shape, Profile::box, support.radii, support.rotation};
+    ToolGhost ghost = bodyOf(shape, support.centre / spacing);
+    ghost.display = ToolDisplay::transparent;
+    ghost.ink = n == chosenSupport ? Ink(.373f, .722f, .788f, 1) : Ink(.62f, .66f, .72f, 1);
+    overlays.tools.push_back(ghost);
+  }
+}
+
+}  // namespace bozzetto::ui

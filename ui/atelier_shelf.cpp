@@ -1,0 +1,118 @@
+// What is done with shelves: all of it operations, or files of the user's own library.
+#include <algorithm>
+
+#include "ui/atelier.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+namespace fs = std::filesystem;
+using Place = ToolEntry::Place;
+
+ToolSource named(const std::string& name) {
+  ToolSource source;
+  source.from = "shelf:" + name;
+  return source;
+}
+
+}  // namespace
+
+std::vector<std::string> tagsOf(const std::string& text) {
+  std::vector<std::string> tags;
+  for (std::size_t at = text.find_first_not_of(", "); at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(", ", at), text.size());
+    tags.push_back(text.substr(at, end - at));
+    at = text.find_first_not_of(", ", end);
+  }
+  return tags;
+}
+
+std::string freeName(const std::vector<ShelfCard>& cards, const std::string& wanted) {
+  std::string name = wanted;
+  const auto taken = [&](const ShelfCard& card) { return card.entry.name == name; };
+  for (int n = 2; std::ranges::any_of(cards, taken); ++n) name = wanted + " " + std::to_string(n);
+  return name;
+}
+
+void Atelier::listShelf() {
+  const auto pictures = thumbnail ? ShelfPictures::made : ShelfPictures::none;
+  worker_.post([pictures](ClayDesk& desk) {
+    desk.setPictures(pictures);
+    desk.listShelf();
+  });
+}
+
+void Atelier::takeTool(const ToolEntry& entry) {
+  touch();
+  whenDone(worker_.start(
+               "Taking " + entry.name,
+               [source = named(entry.name)](ClayDesk& desk, Progress&) { desk.takeTool(source); }),
+           {});
+}
+
+void Atelier::keep(ShelfKeepOperation operation) {
+  touch();
+  whenDone(worker_.start("Keeping " + operation.name,
+                         [operation](ClayDesk& desk, Progress& progress) {
+                           desk.apply(operation, progress);
+                           desk.listShelf();
+                         }),
+           {});
+}
+
+// With what the hand does now, so that it comes back as it was used.
+void Atelier::keepClay(const std::string& name, std::vector<std::string> tags,
+                       ShelfDrawer::Part part) {
+  ShelfKeepOperation operation{name, std::move(tags)};
+  if (part == ShelfDrawer::Part::insideBox && options.boxSize)
+    operation.source.region = WorldBox{options.boxSize->low, options.boxSize->high};
+  StrokeOperation made{sculpt.strokeFrom({glm::dvec3(0), 1})};
+  made.stroke.symmetry = {};
+  operation.preset = {toText(ActionOperation{sculpt.options(sculpt.action)}), toText(made)};
+  keep(std::move(operation));
+}
+
+void Atelier::keepFile(const fs::path& path) {
+  dialog = Dialog::none;
+  ShelfKeepOperation operation{freeName(shelf.cards, path.stem().string())};
+  operation.source.from = fs::absolute(path).string();
+  keep(std::move(operation));
+}
+
+void Atelier::keepLetters(const std::string& text, double size, double depth) {
+  ShelfKeepOperation operation{freeName(shelf.cards, text), {"text"}};
+  operation.source.text = text;
+  operation.source.letterSize = size;
+  operation.source.letterDepth = depth;
+  keep(std::move(operation));
+}
+
+void Atelier::renameTool(const ToolEntry& entry, const std::string& to,
+                         std::vector<std::string> tags) {
+  touch();
+  worker_.post([entry, to, tags = std::move(tags)](ClayDesk& desk) {
+    if (entry.place == Place::user) return desk.renameUserTool(entry.name, to);
+    desk.apply(ShelfRenameOperation{entry.name, to, tags});
+    desk.listShelf();
+  });
+}
+
+void Atelier::dropTool(const ToolEntry& entry) {
+  touch();
+  worker_.post([entry](ClayDesk& desk) {
+    if (entry.place == Place::user) return desk.dropUserTool(entry.name);
+    desk.apply(ShelfDropOperation{entry.name});
+    desk.listShelf();
+  });
+}
+
+void Atelier::shareTool(const ToolEntry& entry, const fs::path& path) {
+  dialog = Dialog::none;
+  worker_.post([entry, path](ClayDesk& desk) { desk.shareTool(entry.name, path); });
+}
+
+void Atelier::keepForUser(const ToolEntry& entry) {
+  worker_.post([entry](ClayDesk& desk) { desk.keepForUser(entry.name); });
+}
+
+}  // namespace bozzetto::ui

@@ -1,0 +1,122 @@
+// Shelves: listing them with pictures, and what is done with their tools beside sculpting.
+#include <algorithm>
+
+#include "bozzetto/base/hash.hpp"
+#include "bozzetto/render/thumbnail.hpp"
+#include "ui/clay_desk.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path userFile(const std::string& name) {
+  if (name.empty() || name.front() == '.' || name.find('/') != name.npos)
+    throw Error("'" + name + "': a name that files can have expected");
+  return userToolFolder() / (name + ".bzt");
+}
+
+void setPicture(ShelfCard& card, std::shared_ptr<const Bytes> picture) {
+  card.pictureId = picture->empty() ? 1 : hash64(*picture) | 1;
+  card.picture = std::move(picture);
+}
+
+}  // namespace
+
+void ClayDesk::listShelf() {
+  cards_.clear();
+  const ToolLibrary& tools = sculptor_->tools();
+  for (ToolEntry& entry : tools.list()) {
+    ShelfCard card{std::move(entry), nullptr, 0};
+    if (card.entry.place == ToolEntry::Place::document) {
+      const auto item = std::ranges::find(tools.shelf, card.entry.name, &ShelfItem::name);
+      if (!item->thumbnail.empty())
+        setPicture(card, std::make_shared<const Bytes>(item->thumbnail));
+    } else if (card.entry.place == ToolEntry::Place::starter) {
+      const auto made = starterPictures_.find(card.entry.name);
+      if (made != starterPictures_.end()) setPicture(card, made->second);
+    }
+    cards_.push_back(std::move(card));
+  }
+  // The alphabet, which is long, comes last.
+  std::ranges::stable_partition(cards_, [](const ShelfCard& card) {
+    return std::ranges::find(card.entry.tags, "alphabet") == card.entry.tags.end();
+  });
+  out_.shelf = cards_;
+  if (rest_ == Rest::nothing) rest_ = Rest::pictures;
+}
+
+// What a tool looks like, kept where the tool is.
+void ClayDesk::picture(ShelfCard& card) {
+  ShelfTool tool;
+  switch (card.entry.place) {
+    case ToolEntry::Place::document:
+      tool = sculptor_->tools().find(card.entry.name);
+      break;
+    case ToolEntry::Place::user:
+      tool = loadTool(userFile(card.entry.name));
+      break;
+    case ToolEntry::Place::starter:
+      tool = makeStarter(card.entry.name);
+      break;
+  }
+  auto made = std::make_shared<const Bytes>(tool.thumbnail.empty() ? thumbnailOf(tool.clay)
+                                                                   : tool.thumbnail);
+  if (card.entry.place == ToolEntry::Place::starter) starterPictures_[card.entry.name] = made;
+  if (card.entry.place == ToolEntry::Place::document) {
+    auto& shelf = sculptor_->tools().shelf;
+    std::ranges::find(shelf, card.entry.name, &ShelfItem::name)->thumbnail = *made;
+  }
+  setPicture(card, std::move(made));
+}
+
+// One picture at a time, so that strokes need not wait long. False when all are there.
+bool ClayDesk::pictureNext() {
+  const auto next = std::ranges::find(cards_, 0u, &ShelfCard::pictureId);
+  if (pictures_ == ShelfPictures::none || next == cards_.end()) return false;
+  try {
+    picture(*next);
+  } catch (const Error& error) {
+    setPicture(*next, std::make_shared<const Bytes>());
+    fail(error.what());
+  }
+  out_.shelf = cards_;
+  return true;
+}
+
+void ClayDesk::takeTool(const ToolSource& source) {
+  ToolLibrary& tools = sculptor_->tools();
+  const ShelfTool tool = tools.load(source);
+  out_.taken = freeformOf(tool, source, tools.sculpture(source));
+}
+
+void ClayDesk::shareTool(const std::string& name, const fs::path& path) {
+  ShelfTool tool = sculptor_->tools().find(name);
+  if (tool.thumbnail.empty()) tool.thumbnail = thumbnailOf(tool.clay);
+  saveTool(path, tool);
+  note("Saved " + path.filename().string());
+}
+
+void ClayDesk::keepForUser(const std::string& name) {
+  fs::create_directories(userToolFolder());
+  shareTool(name, userFile(name));
+  listShelf();
+}
+
+void ClayDesk::dropUserTool(const std::string& name) {
+  std::error_code failed;
+  if (!fs::remove(userFile(name), failed))
+    throw Error(userFile(name).string() + ": could not be deleted");
+  sculptor_->tools().forget();
+  listShelf();
+}
+
+void ClayDesk::renameUserTool(const std::string& name, const std::string& to) {
+  if (fs::exists(userFile(to))) throw Error(userFile(to).string() + ": exists already");
+  ShelfTool tool = loadTool(userFile(name));
+  tool.name = to;
+  saveTool(userFile(to), tool);
+  dropUserTool(name);
+}
+
+}  // namespace bozzetto::ui

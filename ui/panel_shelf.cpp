@@ -1,0 +1,285 @@
+// The drawer with shelves: tools that are sculptures, to be taken, kept, named and shared.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "ui/icons.hpp"
+#include "ui/panels.hpp"
+#include "ui/widgets.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+using Form = ShelfDrawer::Form;
+using Place = ToolEntry::Place;
+
+const char* nameOf(Place place) {
+  constexpr const char* names[] = {"this scene", "your library", "starter tool"};
+  return names[int(place)];
+}
+
+void ask(ShelfDrawer& drawer, Form form) {
+  drawer.form = drawer.form == form ? Form::none : form;
+  drawer.formOpened = true;
+}
+
+void askAbout(ShelfDrawer& drawer, Form form, const ToolEntry& entry) {
+  drawer.form = form;
+  drawer.formOpened = true;
+  drawer.about = entry;
+  drawer.name = entry.name;
+  drawer.tags.clear();
+  for (const std::string& tag : entry.tags) drawer.tags += (drawer.tags.empty() ? "" : " ") + tag;
+}
+
+// What else can be done with a tool.
+void cardMenu(Atelier& atelier, const ToolEntry& entry) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8), px(7)});
+  if (ImGui::BeginPopupContextItem("more")) {
+    ShelfDrawer& drawer = atelier.shelf;
+    if (ImGui::MenuItem("Take it")) atelier.takeTool(entry);
+    if (ImGui::MenuItem("Save as a file…")) {
+      drawer.about = entry;
+      atelier.dialog = Dialog::shareTool;
+    }
+    if (entry.place != Place::user && ImGui::MenuItem("Put into your library")) {
+      atelier.keepForUser(entry);
+    }
+    if (entry.place != Place::starter) {
+      ImGui::Separator();
+      if (ImGui::MenuItem("Rename…")) askAbout(drawer, Form::rename, entry);
+      if (ImGui::MenuItem("Delete…")) askAbout(drawer, Form::remove, entry);
+    }
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+bool isInHand(const Atelier& atelier, const ToolEntry& entry) {
+  return atelier.sculpt.isFreeform() && atelier.sculpt.freeform->name == entry.name;
+}
+
+std::string tipOf(const ToolEntry& entry) {
+  std::string text = entry.name + "  ·  " + nameOf(entry.place);
+  for (const std::string& tag : entry.tags) text += (&tag == &entry.tags[0] ? "\n" : ", ") + tag;
+  return text + "\nClick to take it, right click for more.";
+}
+
+void toolCard(const PanelContext& context, const ShelfCard& card, float side) {
+  Atelier& atelier = context.atelier;
+  if (ImGui::InvisibleButton("tool", {side, side + px(18)})) atelier.takeTool(card.entry);
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high{low.x + side, low.y + side};
+  const bool hovered = ImGui::IsItemHovered(), chosen = isInHand(atelier, card.entry);
+  tooltip(tipOf(card.entry));
+  cardMenu(atelier, card.entry);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(low, high, ink(hovered ? tint::hover : tint::card), px(8));
+  const auto picture = context.pictures.tools.find(card.pictureId);
+  if (picture != context.pictures.tools.end() && picture->second) {
+    list->AddImageRounded(picture->second, low, high, {0, 0}, {1, 1},
+                          ink(0xFFFFFF, hovered ? 1.f : .93f), px(8));
+  } else {
+    drawIcon(list, Icon::shelf, {{(low.x + high.x) / 2, (low.y + high.y) / 2}, px(10)},
+             {ink(tint::faint), ink(tint::faint)});
+  }
+  if (chosen) {
+    const float d = px(1);
+    list->AddRect({low.x - d, low.y - d}, {high.x + d, high.y + d}, ink(tint::accent), px(9), 0,
+                  px(2));
+  }
+  const std::string name = fitted(fonts().medium, card.entry.name, side);
+  drawText(list, fonts().medium,
+           {low.x + (side - textWidth(fonts().medium, name)) / 2, high.y + px(3)},
+           ink(chosen    ? tint::strong
+               : hovered ? tint::text
+                         : tint::dim),
+           name);
+}
+
+void cards(const PanelContext& context) {
+  const ShelfDrawer& drawer = context.atelier.shelf;
+  constexpr int kColumns = 3;
+  const float gap = px(8);
+  const float side =
+      std::floor((ImGui::GetContentRegionAvail().x - gap * (kColumns - 1)) / kColumns);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, px(6)});
+  int shown = 0;
+  for (std::size_t n = 0; n < drawer.cards.size(); ++n) {
+    if (!drawer.shows(drawer.cards[n])) continue;
+    if (shown++ % kColumns != 0) ImGui::SameLine();
+    ImGui::PushID(int(n));
+    toolCard(context, drawer.cards[n], side);
+    ImGui::PopID();
+  }
+  ImGui::PopStyleVar();
+  if (shown > 0) return;
+  const bool own = drawer.place && *drawer.place != Place::starter && drawer.query.empty();
+  ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::dim));
+  ImGui::TextWrapped("%s", own ? "Nothing here yet. Keep the clay you have as a tool, or drop a "
+                                 "file on the shelf."
+                               : "No tool is called so.");
+  ImGui::PopStyleColor();
+}
+
+bool field(const char* id, const char* hint, std::string& text, ShelfDrawer& drawer) {
+  if (std::exchange(drawer.formOpened, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  return ImGui::InputTextWithHint(id, hint, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+}
+
+void keepForm(Atelier& atelier) {
+  ShelfDrawer& drawer = atelier.shelf;
+  bool done = field("##name", "Name", drawer.name, drawer);
+  done |= field("##tags", "Tags", drawer.tags, drawer);
+  int part = int(drawer.part);
+  if (choice("part", part, {"All clay", "In the box"}, "Which clay becomes the tool.")) {
+    drawer.part = ShelfDrawer::Part(part);
+    if (drawer.part == ShelfDrawer::Part::insideBox && !atelier.options.boxSize) {
+      atelier.run(Command::fitBox);
+    }
+    atelier.options.box = drawer.part == ShelfDrawer::Part::insideBox;
+  }
+  if (drawer.part == ShelfDrawer::Part::insideBox) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::dim));
+    ImGui::TextWrapped("Drag the box's handles around the part.");
+    ImGui::PopStyleColor();
+  }
+  const float width = ImGui::GetContentRegionAvail().x;
+  done |= button("Keep", {width, 0}, ButtonKind::accent, "Puts it on this scene's shelf.");
+  if (!done || drawer.name.empty()) return;
+  atelier.keepClay(drawer.name, tagsOf(drawer.tags), drawer.part);
+  drawer.form = Form::none;
+}
+
+void lettersForm(Atelier& atelier) {
+  ShelfDrawer& drawer = atelier.shelf;
+  bool done = field("##text", "Letters", drawer.text, drawer);
+  slider("Letter size", drawer.letterSize, {2, 128, "mm", 1, 1, true}, "Of a capital letter.");
+  slider("Letter depth", drawer.letterDepth, {0.5, 64, "mm", 1, 1, true},
+         "How far they stand out.");
+  const float width = ImGui::GetContentRegionAvail().x;
+  done |= button("Keep", {width, 0}, ButtonKind::accent, "Puts the letters on the shelf.");
+  if (!done || drawer.text.empty()) return;
+  atelier.keepLetters(drawer.text, drawer.letterSize, drawer.letterDepth);
+  drawer.form = Form::none;
+}
+
+void renameForm(Atelier& atelier) {
+  ShelfDrawer& drawer = atelier.shelf;
+  bool done = field("##name", "Name", drawer.name, drawer);
+  if (drawer.about->place == Place::document) done |= field("##tags", "Tags", drawer.tags, drawer);
+  const float width = ImGui::GetContentRegionAvail().x;
+  done |= button("Rename", {width, 0}, ButtonKind::accent, "Gives it that name.");
+  if (!done || drawer.name.empty()) return;
+  atelier.renameTool(*drawer.about, drawer.name, tagsOf(drawer.tags));
+  drawer.form = Form::none;
+}
+
+void removeForm(Atelier& atelier) {
+  ShelfDrawer& drawer = atelier.shelf;
+  ImGui::TextWrapped("Delete “%s”? This cannot be undone.", drawer.about->name.c_str());
+  const float half = (ImGui::GetContentRegionAvail().x - px(8)) / 2;
+  if (button("Delete", {half, 0}, ButtonKind::accent, "It is gone for good.")) {
+    atelier.dropTool(*drawer.about);
+    drawer.form = Form::none;
+  }
+  ImGui::SameLine();
+  if (button("Keep it", {half, 0})) drawer.form = Form::none;
+}
+
+void form(Atelier& atelier) {
+  switch (atelier.shelf.form) {
+    case Form::keep:
+      return keepForm(atelier);
+    case Form::letters:
+      return lettersForm(atelier);
+    case Form::rename:
+      return renameForm(atelier);
+    case Form::remove:
+      return removeForm(atelier);
+    case Form::none:
+      return;
+  }
+}
+
+float heightOf(const ShelfDrawer& drawer) {
+  constexpr float kLine = 34;
+  switch (drawer.form) {
+    case Form::keep:
+      return px(4 * kLine + (drawer.part == ShelfDrawer::Part::insideBox ? 44.f : 4.f));
+    case Form::letters:
+      return px(2 * kLine + 92);
+    case Form::rename:
+      return px(3 * kLine);
+    case Form::remove:
+      return px(2 * kLine + 12);
+    case Form::none:
+      return 0;
+  }
+  return 0;
+}
+
+void buttons(Atelier& atelier) {
+  const float third = (ImGui::GetContentRegionAvail().x - 2 * px(8)) / 3;
+  if (button("Keep…", {third, 0}, ButtonKind::plain,
+             "The clay, or its part in a box, becomes a tool that does what yours does now.")) {
+    ask(atelier.shelf, Form::keep);
+    atelier.shelf.name = freeName(atelier.shelf.cards, "tool");
+    atelier.shelf.tags.clear();
+  }
+  ImGui::SameLine();
+  if (button("Letters…", {third, 0}, ButtonKind::plain, "A text becomes a tool.")) {
+    ask(atelier.shelf, Form::letters);
+  }
+  ImGui::SameLine();
+  if (button("File…", {third, 0}, ButtonKind::plain,
+             "A tool, scene, mesh or recording; a grey picture becomes a relief. Files can also "
+             "be dropped here.")) {
+    atelier.dialog = Dialog::keepFile;
+  }
+}
+
+void heading(Atelier& atelier) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  drawText(list, fonts().display, at, ink(0xF4F4F5), "Shelf");
+  ImGui::SetCursorScreenPos({at.x + width - px(20), at.y});
+  if (ImGui::InvisibleButton("close", {px(22), px(22)})) atelier.run(Command::shelf);
+  const ImU32 colour = ink(ImGui::IsItemHovered() ? tint::text : tint::faint);
+  tooltip(atelier.keymap, Command::shelf);
+  const ImVec2 middle{at.x + width - px(9), at.y + px(11)};
+  const float d = px(4.5f);
+  list->AddLine({middle.x - d, middle.y - d}, {middle.x + d, middle.y + d}, colour, px(1.5f));
+  list->AddLine({middle.x - d, middle.y + d}, {middle.x + d, middle.y - d}, colour, px(1.5f));
+  ImGui::SetCursorScreenPos({at.x, at.y + px(30)});
+}
+
+}  // namespace
+
+void drawShelf(const PanelContext& context) {
+  Atelier& atelier = context.atelier;
+  ShelfDrawer& drawer = atelier.shelf;
+  if (!drawer.open) return;
+  const Rect& at = context.layout.drawer;
+  ImGui::SetNextWindowPos({float(at.low.x), float(at.low.y)});
+  ImGui::SetNextWindowSize({float(at.width()), float(at.height())});
+  ImGui::Begin("shelf", nullptr, kFixed);
+  heading(atelier);
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##find", "Search names and tags", &drawer.query);
+  int place = drawer.place ? int(*drawer.place) + 1 : 0;
+  if (choice("place", place, {"All", "Scene", "Yours", "Starters"}, "Whose tools are shown.")) {
+    drawer.place.reset();
+    if (place > 0) drawer.place = Place(place - 1);
+  }
+  ImGui::BeginChild("cards", {0, -(px(42) + heightOf(drawer))});
+  cards(context);
+  ImGui::EndChild();
+  form(atelier);
+  buttons(atelier);
+  ImGui::End();
+}
+
+}  // namespace bozzetto::ui
