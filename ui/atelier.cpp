@@ -57,6 +57,11 @@ Publication Atelier::poll() {
   if (fresh.status) status_ = *fresh.status;
   if (fresh.statistics) statistics_ = *fresh.statistics;
   if (fresh.opened) opened(*fresh.opened);
+  if (fresh.solid) {
+    solidShown_ = *fresh.solid;
+    previewing_ = false;
+    if (gesture_ != Gesture::solid) hoverSolid();
+  }
   if (fresh.shelf) shelf.cards = *fresh.shelf;
   if (fresh.taken) sculpt.take(*fresh.taken, status_.scale.spacing);
   for (const std::string& text : fresh.notes) say(Message::Kind::note, text);
@@ -79,6 +84,7 @@ Publication Atelier::poll() {
 
 void Atelier::opened(const SceneParts& parts) {
   framed_ = sized_ = false;
+  mode_ = WorkMode::clay;
   if (shelf.open) listShelf();
   airPoint_.reset();
   heldTool_.reset();

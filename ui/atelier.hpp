@@ -9,6 +9,7 @@
 #include "ui/events.hpp"
 #include "ui/settings.hpp"
 #include "ui/shelf_drawer.hpp"
+#include "ui/solid_state.hpp"
 #include "ui/stroke_maker.hpp"
 #include "ui/view_options.hpp"
 #include "ui/worker.hpp"
@@ -32,7 +33,8 @@ enum class Gesture {
   light,
   pickColour,
   boxHandle,
-  support
+  support,
+  solid
 };
 
 enum class Dialog {
@@ -137,7 +139,26 @@ class Atelier {
   void showStructure(Structure structure);
   /// Undoes or redoes until `done` steps are done.
   void goToStep(std::size_t done);
-  void setTool(ActionKind action) { sculpt.action = action; }
+  void setTool(ActionKind action) {
+    setMode(WorkMode::clay);
+    sculpt.action = action;
+  }
+
+  // Solids (atelier_solid.cpp).
+  WorkMode mode() const { return mode_; }
+  void setMode(WorkMode mode);
+  /// Null when there is none.
+  const std::shared_ptr<const SolidShown>& solidShown() const { return solidShown_; }
+  /// What lies under the pointer.
+  const SolidHit& solidHit() const { return solidHit_; }
+  /// What the tool in hand takes.
+  Element solidElement() const;
+  /// Shows it as `solid` says now.
+  void tellSolid();
+  void applySolid(const Operation& operation);
+  /// Physics only inside the workspace box, where that is shown.
+  void solidWindow();
+  SolidState solid;
 
   // Shelves (atelier_shelf.cpp).
   void listShelf();
@@ -247,6 +268,21 @@ class Atelier {
   HandOperations handAt(const GroundHit& ground) const;
   void keep(ShelfKeepOperation operation);
   bool runClay(Command command);
+  bool runSolid(Command command);
+  std::vector<SolidHit> solidAlong(Element element) const;
+  void hoverSolid();
+  bool beginSolid();
+  void dragSolid(glm::dvec2 to);
+  void endSolid();
+  void cancelSolid();
+  void workSolid();
+  Operation solidDrag() const;
+  void makeBlock();
+  void wrapClay();
+  void applyWrap();
+  void bakeSolid();
+  void addSolid(Overlays& overlays) const;
+  void addSolidHit(Overlays& overlays) const;
   void relax();
   void holdBox();
   void placeTable();
@@ -274,6 +310,12 @@ class Atelier {
   std::optional<glm::dvec3> airPoint_;
   std::optional<HeldTool> heldTool_;
   std::optional<StrokeMaker> maker_;
+  WorkMode mode_ = WorkMode::clay;
+  std::shared_ptr<const SolidShown> solidShown_;
+  SolidHit solidHit_;
+  glm::dvec3 dragged_{0};  // where the hand has taken the hit
+  std::optional<glm::dvec3> joinFrom_;
+  bool previewing_ = false;
   bool heldStroke_ = false;
   std::optional<int> boxHandle_;  // under the pointer, or dragged
   std::vector<StrokePoint> points_;

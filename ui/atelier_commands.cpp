@@ -128,6 +128,8 @@ bool Atelier::isChecked(Command command) const {
       return panelsShown;
     case Command::shelf:
       return shelf.open;
+    case Command::solidMode:
+      return mode_ == WorkMode::solid;
     case Command::fullScreen:
       return fullScreen;
     default:
@@ -141,6 +143,17 @@ bool Atelier::isPossible(Command command) const {
       return status_.done > 0 || status_.inStroke;
     case Command::redo:
       return status_.done < status_.steps.size();
+    case Command::wrap:
+    case Command::solidFromClay:
+      return !patches_.empty();
+    case Command::wrapApply:
+      return solidShown_ && solidShown_->solid->isWrap();
+    case Command::bake:
+      return solidShown_ && !solidShown_->solid->isWrap();
+    case Command::solidRun:
+    case Command::solidRest:
+    case Command::solidDrop:
+      return solidShown_ != nullptr;
     case Command::dropSupports:
       return !status_.clay.supports.empty();
     case Command::relax:
@@ -179,7 +192,9 @@ void Atelier::run(Command command) {
     if (puckMoves != Moves::tool) heldTool_.reset();
     return;
   }
-  if (!runFile(command) && !runStroke(command) && !runClay(command)) runView(command);
+  if (!runFile(command) && !runStroke(command) && !runClay(command) && !runSolid(command)) {
+    runView(command);
+  }
 }
 
 bool Atelier::runFile(Command command) {

@@ -33,6 +33,7 @@ void Atelier::updateHover() {
   hover_.ground = groundUnder(patches_, ray, status_.scale.spacing);
   hover_.air = onFacingPlane(view, ray, airPoint_.value_or(view.target));
   if (gesture_ == Gesture::boxHandle) return;
+  if (gesture_ != Gesture::solid) hoverSolid();
   boxHandle_.reset();
   if (const auto box = boxOutline()) boxHandle_ = handleAt(shotOf(viewFrame()), *box, pointer_);
 }
@@ -47,6 +48,7 @@ Gesture Atelier::gestureFor(Button button, Modifiers with) const {
   }
   if (button == Button::left && boxHandle_) return Gesture::boxHandle;
   if (button == Button::left && supportAt(pointer_)) return Gesture::support;
+  if (button == Button::left && mode_ == WorkMode::solid) return Gesture::solid;
   if (button == Button::left) {
     const bool turns = sculpt.emptyDrag == EmptyDrag::orbit && !onGround;
     return turns ? Gesture::orbit : Gesture::stroke;
@@ -73,6 +75,7 @@ void Atelier::press(Button button, Modifiers with) {
   pressedAt_ = pointer_;
   before_ = sculpt;
   gesture_ = gestureFor(button, with);
+  if (gesture_ == Gesture::solid && !beginSolid()) gesture_ = Gesture::none;
   if (gesture_ == Gesture::support) chosenSupport = supportAt(pointer_);
   if (gesture_ == Gesture::stroke) beginStroke(pressure_);
 }
@@ -81,6 +84,7 @@ void Atelier::release(Button) {
   touch();
   if (gestureByKey_ || gesture_ == Gesture::pickColour) return;
   if (gesture_ == Gesture::stroke) endStroke();
+  if (gesture_ == Gesture::solid) endSolid();
   gesture_ = Gesture::none;
   updateHover();
 }
@@ -109,6 +113,9 @@ void Atelier::dragTo(glm::dvec2 to) {
       return;
     case Gesture::support:
       dragSupport(to);
+      return;
+    case Gesture::solid:
+      dragSolid(to);
       return;
     default:
       dragValues(to - pointer_);
@@ -169,6 +176,8 @@ bool Atelier::key(const Chord& chord, bool repeated) {
   touch();
   if (chord.key == KeyCode::escape) {
     cancelStroke();
+    cancelSolid();
+    joinFrom_.reset();
     if (gestureByKey_) sculpt = before_;
     if (gesture_ == Gesture::pickColour || gestureByKey_) gesture_ = Gesture::none;
     gestureByKey_ = false;

@@ -57,6 +57,8 @@ Overlays Atelier::overlays() const {
   Overlays overlays;
   addStage(overlays);
   addSupports(overlays);
+  addSolid(overlays);
+  if (mode_ == WorkMode::solid) return overlays;
   const bool busy = gesture_ == Gesture::orbit || gesture_ == Gesture::pan ||
                     gesture_ == Gesture::zoom || gesture_ == Gesture::light;
   const bool held = heldTool_ && puckMoves == Moves::tool;

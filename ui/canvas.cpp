@@ -105,11 +105,13 @@ struct Canvas::Impl {
   std::unique_ptr<Viewport> viewport;
   std::vector<GLuint> textures;
   Publication waiting;
+  std::shared_ptr<const SolidShown> solid;  // whose surface is uploaded
   int fontsVersion = 0;
 
   void makeBalls();
   void pictureStep();
   void uploadTools();
+  void uploadSolid();
   std::size_t upload();
 };
 
@@ -190,9 +192,33 @@ void Canvas::Impl::uploadTools() {
   }
 }
 
+// The solid's surface among the clay's patches, in both finenesses: it is not coarsened.
+void Canvas::Impl::uploadSolid() {
+  const bool shows = atelier->mode() == WorkMode::solid && atelier->solid.surface;
+  const auto wanted = shows ? atelier->solidShown() : nullptr;
+  if (wanted == solid) return;
+  constexpr Fineness both[] = {Fineness::fine, Fineness::coarse};
+  if (solid) {
+    for (const UnpackedPatch& patch : solid->surface)
+      for (const Fineness fineness : both) renderer.removePatch(patch.origin, fineness);
+  }
+  solid = wanted;
+  if (!solid) return;
+  for (const UnpackedPatch& patch : solid->surface) {
+    PatchVertices view = patch.view();
+    for (const Fineness fineness : both) {
+      view.fineness = fineness;
+      renderer.uploadPatch(view);
+    }
+  }
+}
+
 // As much as a frame has time for; the rest stays.
 std::size_t Canvas::Impl::upload() {
-  if (std::exchange(waiting.cleared, false)) renderer.clear();
+  if (std::exchange(waiting.cleared, false)) {
+    renderer.clear();
+    solid = nullptr;
+  }
   std::size_t bytes = 0, patches = 0;
   const auto some = [&](std::map<Key, PatchRef>& from, Fineness fineness) {
     while (!from.empty() && bytes < kUploadBytesAFrame) {
@@ -245,6 +271,7 @@ bool Canvas::draw(Publication fresh, glm::dvec2 size) {
   if (c.atelier->shelf.open) c.uploadTools();
   c.waiting.add(std::move(fresh));
   const std::size_t patches = c.upload();
+  c.uploadSolid();
   const Rect& at = c.interface->layout().viewport;
   const ClayStatus& status = c.atelier->status();
   ViewFrame frame = c.atelier->viewFrame();

@@ -5,6 +5,7 @@
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/io/mesh_file.hpp"
 #include "bozzetto/mesh/decimate.hpp"
+#include "bozzetto/solid/solid_codec.hpp"
 #include "bozzetto/surface/statistics.hpp"
 #include "bozzetto/surface/welded.hpp"
 #include "ui/sculpt_state.hpp"
@@ -30,7 +31,7 @@ std::string titleOf(const Operation& operation) {
   std::string name(nameOf(operation));
   for (const char* none :
        {"undo", "redo", "scene", "tool", "action", "clay", "support", "support_move",
-        "support_drop", "shelf_keep", "shelf_rename", "shelf_drop"})
+        "support_drop", "solid_probe", "shelf_keep", "shelf_rename", "shelf_drop"})
     if (name == none) return "";
   name[0] = char(std::toupper(static_cast<unsigned char>(name[0])));
   return name;
@@ -38,9 +39,21 @@ std::string titleOf(const Operation& operation) {
 
 }  // namespace
 
+// Notices become notes in the window.
+class ClayDesk::Telling : public Progress {
+ public:
+  Telling(Progress& outer, ClayDesk& desk) : outer_(&outer), desk_(&desk) {}
+  bool report(std::string_view what, double done) override { return outer_->report(what, done); }
+  void note(std::string_view text) override { desk_->note(std::string(text)); }
+
+ private:
+  Progress* outer_;
+  ClayDesk* desk_;
+};
+
 bool Publication::empty() const {
   return !cleared && fine.empty() && coarse.empty() && !floor && !status && !statistics &&
-         !opened && !shelf && !taken && notes.empty() && errors.empty();
+         !opened && !shelf && !taken && !solid && notes.empty() && errors.empty();
 }
 
 void Publication::add(Publication later) {
@@ -57,6 +70,7 @@ void Publication::add(Publication later) {
   replaceIf(opened, later.opened);
   replaceIf(shelf, later.shelf);
   replaceIf(taken, later.taken);
+  replaceIf(solid, later.solid);
   for (std::string& text : later.notes) notes.push_back(std::move(text));
   for (std::string& text : later.errors) errors.push_back(std::move(text));
 }
@@ -70,6 +84,7 @@ void ClayDesk::lay(Document document) {
   stroke_.reset();
   sculptor_ = std::make_unique<Sculptor>(std::move(document.field), SurfaceUpkeep::afterEachDab);
   sculptor_->tools().shelf = document.parts.shelf;
+  sculptor_->place(decodeSolid(document.parts.solid, "the scene"));
   dresser_ = std::make_unique<Dresser>();
   parts_ = std::move(document.parts);
   recording_ = {};
@@ -119,6 +134,7 @@ Document ClayDesk::documentWith(const SceneParts& parts) const {
   Document document{sculptor_->field(), parts};
   document.parts.identity = parts_.identity;
   document.parts.shelf = sculptor_->tools().shelf;
+  document.parts.solid = encodeSolid(sculptor_->solid());
   return document;
 }
 
@@ -147,7 +163,8 @@ void ClayDesk::exportMesh(const std::filesystem::path& path, double keep, Progre
 void ClayDesk::apply(const Operation& operation, Progress& progress) {
   cancelStroke();
   heldTool_ = heldAction_ = heldClay_ = "";  // some operations change the hand
-  status_.last = sculptor_->apply(operation, progress);
+  Telling telling(progress, *this);
+  status_.last = sculptor_->apply(operation, telling);
   recording_.operations.push_back(operation);
   ++status_.version;
   nameSteps({titleOf(operation), std::nullopt, 0});
@@ -302,6 +319,7 @@ void ClayDesk::tellStatus() {
   if (!status_.inStroke) status_.stage = Stage::around(bounds_);
   status_.mass = status_.last.massAfter;
   status_.clay = sculptor_->clay();
+  tellSolid(sculptor_->solid());
   const auto& history = sculptor_->history();
   status_.done = history.undoDepth();
   status_.isLit = rest_ != Rest::light;

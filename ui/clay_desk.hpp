@@ -16,6 +16,7 @@
 #include "bozzetto/sculptor/sculptor.hpp"
 #include "ui/freeform.hpp"
 #include "ui/patch_set.hpp"
+#include "ui/solid_shown.hpp"
 
 namespace bozzetto::ui {
 
@@ -54,6 +55,12 @@ struct ClayStatistics {
   double volume = 0, area = 0;  ///< world units
 };
 
+/// How the solid is to be shown.
+struct SolidWish {
+  SolidMap map = SolidMap::none;
+  Colour colour;
+};
+
 /// What strokes take.
 struct HandOperations {
   ToolOperation tool;
@@ -70,7 +77,8 @@ struct Publication {
   std::optional<ClayStatistics> statistics;
   std::optional<SceneParts> opened;  ///< another document is on the desk
   std::optional<std::vector<ShelfCard>> shelf;
-  std::optional<Freeform> taken;  ///< from a shelf
+  std::optional<std::shared_ptr<const SolidShown>> solid;  ///< null: there is none
+  std::optional<Freeform> taken;                           ///< from a shelf
   std::vector<std::string> notes, errors;
 
   bool empty() const;
@@ -110,6 +118,11 @@ class ClayDesk {
   /// A row of moves of one support is recorded as one.
   void moveSupport(const SupportMoveOperation& move);
 
+  // Solids (clay_desk_solid.cpp).
+  void showSolid(const SolidWish& wish);
+  /// Shows what a move or a pull would do.
+  void previewSolid(const Operation& drag);
+
   // Shelves (clay_desk_shelf.cpp).
   /// Lists all tools with the next publication; their pictures follow at rest.
   void listShelf();
@@ -143,6 +156,7 @@ class ClayDesk {
   void fail(std::string text) { out_.errors.push_back(std::move(text)); }
 
  private:
+  class Telling;
   Document documentWith(const SceneParts& parts) const;
   void lay(Document document);
   void show();
@@ -151,6 +165,7 @@ class ClayDesk {
   void hold(const HandOperations& hand);
   void account();
   void holdOne(const Operation& wanted, std::string& held);
+  void tellSolid(const SolidRef& solid);
   void picture(ShelfCard& card);
   bool pictureNext();
   void tellStatus();
@@ -168,6 +183,9 @@ class ClayDesk {
   std::uint64_t lastStep_ = 0;
   std::string heldTool_, heldAction_, heldClay_;  // operations last told; empty: not known
   std::vector<ShelfCard> cards_;
+  SolidWish solidWish_;
+  SolidRef solidTold_;  // what the window shows
+  double solidSpacing_ = 0;
   ShelfPictures pictures_ = ShelfPictures::none;
   std::map<std::string, std::shared_ptr<const Bytes>> starterPictures_;
   Publication out_;

@@ -67,6 +67,27 @@ enum class Command {
   placeTable,
   placeTool,
   dropSupports,
+  solidMode,
+  solidMove,
+  solidRope,
+  solidCarve,
+  solidExtrude,
+  solidJoin,
+  solidSubdivide,
+  solidSharp,
+  solidMass,
+  solidStiffness,
+  solidInflate,
+  solidTrim,
+  solidProbe,
+  solidBlock,
+  solidFromClay,
+  wrap,
+  wrapApply,
+  bake,
+  solidRun,
+  solidRest,
+  solidDrop,
   frameAll,
   frameEdit,
   front,
@@ -91,7 +112,7 @@ enum class Command {
   count
 };
 
-enum class CommandGroup { file, edit, tool, stroke, move, matter, view, help };
+enum class CommandGroup { file, edit, tool, stroke, move, matter, solid, view, help };
 
 struct CommandRow {
   Command command;

@@ -176,19 +176,24 @@ void drawProperties(const PanelContext& context) {
   ImGui::SetNextWindowSize({float(at.width()), float(at.height())});
   const ImGuiWindowFlags flags = kFixed & ~ImGuiWindowFlags_NoScrollbar;
   ImGui::Begin("properties", nullptr, flags);
-  toolSection(atelier);
-  if (movesClay(atelier.sculpt.action) && section("How clay gives way")) movingSection(atelier);
+  const bool solid = atelier.mode() == WorkMode::solid;
+  if (solid) {
+    solidSections(atelier);
+  } else {
+    toolSection(atelier);
+    if (movesClay(atelier.sculpt.action) && section("How clay gives way")) movingSection(atelier);
+  }
   if (section("Look")) lookSection(atelier, context.pictures);
   if (section("Colour")) colourSection(atelier);
-  if (section("Tool", false)) shapeSection(atelier);
-  if (section("Placement", false)) placementSection(atelier);
-  if (section("Stroke", false)) strokeSection(atelier);
-  if (section("Symmetry", false)) symmetrySection(atelier);
+  if (!solid && section("Tool", false)) shapeSection(atelier);
+  if (!solid && section("Placement", false)) placementSection(atelier);
+  if (!solid && section("Stroke", false)) strokeSection(atelier);
+  if (!solid && section("Symmetry", false)) symmetrySection(atelier);
   if (section("Lights", false)) lightSection(atelier);
   if (section("View", false)) viewSection(atelier);
   if (section("References", false)) referenceSection(atelier);
-  if (section("Held clay", false)) holdSection(atelier);
-  if (section("Supports", false)) supportSection(atelier);
+  if (!solid && section("Held clay", false)) holdSection(atelier);
+  if (!solid && section("Supports", false)) supportSection(atelier);
   if (section("Mass", false)) ledgerSection(atelier);
   if (section("Clay")) claySection(atelier);
   if (section("History", false)) historySection(atelier);

@@ -40,6 +40,8 @@ std::vector<Hint> draggingHints(Gesture gesture) {
       return {{"", {}, "Shifting the view"}};
     case Gesture::zoom:
       return {{"", {}, "Zooming"}};
+    case Gesture::solid:
+      return {{"", {}, "Let go to do it"}, {"Esc", {}, "As before"}};
     case Gesture::support:
       return {{"", {}, "Moving the support"}};
     case Gesture::light:
@@ -61,11 +63,28 @@ void addMiddle(const Atelier& atelier, Modifiers held, std::vector<Hint>& hints)
   hints.push_back({"", MousePart::wheel, wheel});
 }
 
+std::vector<Hint> solidHints(const Atelier& atelier) {
+  const SolidToolRow& row = rowOf(atelier.solid.tool);
+  std::vector<Hint> hints;
+  if (!atelier.solidShown()) {
+    hints.push_back({"", {}, "Make a block, a solid from the clay or a wrap"});
+  } else {
+    hints.push_back({"", MousePart::left, std::string(row.verb)});
+    if (!row.inverse.empty()) {
+      hints.push_back(
+          {std::string(atelier.keymap.invertName()), MousePart::left, std::string(row.inverse)});
+    }
+  }
+  addMiddle(atelier, atelier.held(), hints);
+  return hints;
+}
+
 std::vector<Hint> restingHints(const Atelier& atelier) {
   const SculptState& sculpt = atelier.sculpt;
   const bool blender = atelier.keymap.profile() == KeyProfile::blender;
   const Modifiers held = atelier.held();
   std::vector<Hint> hints;
+  if (atelier.mode() == WorkMode::solid) return solidHints(atelier);
   if (atelier.hoversSupport()) return {{"", MousePart::left, "Move the support"}};
   const bool turns = sculpt.emptyDrag == EmptyDrag::orbit && !atelier.hover().ground;
   if (blender && held.alt) {

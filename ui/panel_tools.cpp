@@ -1,6 +1,7 @@
 // The column of tools, with the colours in hand below.
 #include "ui/icons.hpp"
 #include "ui/panels.hpp"
+#include "ui/solid_icons.hpp"
 #include "ui/widgets.hpp"
 
 namespace bozzetto::ui {
@@ -47,6 +48,18 @@ void shelfCell(Atelier& atelier, float left, float top) {
   tooltip(atelier.keymap, Command::shelf);
 }
 
+void modeCell(Atelier& atelier, float left, float top) {
+  const float side = px(44);
+  ImGui::SetCursorScreenPos({left, top});
+  if (ImGui::InvisibleButton("mode", {side, side})) atelier.run(Command::solidMode);
+  const bool lit = ImGui::IsItemHovered() || atelier.mode() == WorkMode::solid;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (lit) list->AddRectFilled({left, top}, {left + side, top + side}, ink(tint::hover), px(9));
+  drawSolidMode(list, {{left + side / 2, top + side / 2}, px(12.5f)},
+                {ink(tint::icon), ink(tint::accent)});
+  tooltip(atelier.keymap, Command::solidMode);
+}
+
 void separator(const Rect& at, float& y) {
   ImGui::GetWindowDrawList()->AddLine({float(at.low.x) + px(18), y + px(3)},
                                       {float(at.high.x) - px(18), y + px(3)}, ink(0xFFFFFF, .08f));
@@ -85,16 +98,25 @@ void drawToolColumn(const PanelContext& context) {
       {{ActionKind::hold, Command::toolHold}}};
   float y = float(at.low.y) + px(10);
   const float left = float(at.low.x) + px(8);
-  for (const std::vector<Cell>& group : groups) {
-    if (&group != &groups[0]) separator(at, y);
-    for (const Cell& cell : group) {
-      toolCell(context.atelier, cell, left, y);
-      y += px(48);
+  Atelier& atelier = context.atelier;
+  if (atelier.mode() == WorkMode::solid) {
+    solidTools(atelier, left, y);
+  } else {
+    for (const std::vector<Cell>& group : groups) {
+      if (&group != &groups[0]) separator(at, y);
+      for (const Cell& cell : group) {
+        toolCell(atelier, cell, left, y);
+        y += px(48);
+      }
     }
   }
   separator(at, y);
-  shelfCell(context.atelier, left, y);
-  colourBalls(context.atelier, at);
+  modeCell(atelier, left, y);
+  y += px(48);
+  if (atelier.mode() == WorkMode::clay) {
+    shelfCell(atelier, left, y);
+    colourBalls(atelier, at);
+  }
   ImGui::End();
 }
 

@@ -74,6 +74,7 @@ void menus(Atelier& atelier) {
   menu("View", [&] { groupMenu(atelier, CommandGroup::view); });
   menu("Tools", [&] { toolsMenu(atelier); });
   menu("Clay", [&] { groupMenu(atelier, CommandGroup::matter); });
+  menu("Solid", [&] { groupMenu(atelier, CommandGroup::solid); });
   menu("Help", [&] { menuLine(atelier, Command::showHelp); });
   ImGui::PopStyleVar();
 }

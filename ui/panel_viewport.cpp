@@ -103,6 +103,7 @@ void drawViewportMarks(const PanelContext& context) {
   }
   label(list, context.atelier, at);
   drawSupportKnobs(context);
+  drawSolidPoints(context);
   rope(list, context.atelier);
   dragValue(list, context.atelier);
 }

@@ -77,6 +77,10 @@ void movingSection(Atelier& atelier);
 void ledgerSection(Atelier& atelier);
 void holdSection(Atelier& atelier);
 void supportSection(Atelier& atelier);
+/// The column's tools in solid mode; `top` moves down.
+void solidTools(Atelier& atelier, float left, float& top);
+void solidSections(Atelier& atelier);
+void drawSolidPoints(const PanelContext& context);
 void drawSupportKnobs(const PanelContext& context);
 void strokeSection(Atelier& atelier);
 void symmetrySection(Atelier& atelier);

@@ -1,0 +1,145 @@
+// Solid mode in the window: made, worked on by every tool, baked, wrapped, seen.
+#include "ui/null_window.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SolidMode : public Null {
+ protected:
+  SolidMode() {
+    atelier_.run(Command::newEmpty);
+    settle();
+    tap(letter('L'));
+    atelier_.solid.cells = {2, 2, 2};
+    atelier_.solid.edge = 20;
+    settle();
+    atelier_.run(Command::solidBlock);
+    settle();
+  }
+  const SolidShown& shown() { return *atelier_.solidShown(); }
+  std::size_t cells() { return shown().control().cells.size(); }
+  glm::dvec2 seen(const glm::dvec3& place) {
+    return atelier_.corner() + pixelOf(atelier_.view, atelier_.extent(), place);
+  }
+  void use(SolidTool tool) { atelier_.run(Command(int(Command::solidMove) + int(tool))); }
+  // Of the solid itself, where it has no clay.
+  bool solidReplays() {
+    const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_solid.jsonl";
+    const Solid before = *shown().solid;
+    atelier_.saveRecording(path);
+    settle();
+    replayed(path);
+    return atelier_.solidShown() && before == *shown().solid;
+  }
+};
+
+TEST_F(SolidMode, aBlockIsMadeAndShown) {
+  EXPECT_EQ(atelier_.mode(), WorkMode::solid);
+  ASSERT_NE(atelier_.solidShown(), nullptr);
+  EXPECT_EQ(cells(), 8u);
+  EXPECT_FALSE(shown().surface.empty());
+  EXPECT_FALSE(shown().wires.empty());
+  EXPECT_GE(atelier_.overlays().lines.size(), 54u);
+  tap(static_cast<KeyCode>('1'));
+  settle();
+  EXPECT_EQ(atelier_.mode(), WorkMode::clay) << "a clay tool leads back";
+}
+
+TEST_F(SolidMode, aPointFollowsTheHandAndReplays) {
+  use(SolidTool::move);
+  const glm::dvec3 corner(20, 20, 20);
+  const glm::dvec2 at = seen(corner);
+  drag(at, at + glm::dvec2(40, -30));
+  bool moved = true;
+  for (const glm::dvec3& point : shown().control().points) moved &= point != corner;
+  EXPECT_TRUE(moved);
+  EXPECT_TRUE(solidReplays());
+}
+
+TEST_F(SolidMode, escapePutsADraggedPointBack) {
+  use(SolidTool::move);
+  const Solid before = *shown().solid;
+  const glm::dvec2 at = seen({20, 20, 20});
+  moveTo(at);
+  settle();
+  post(ButtonChanged{Button::left, true});
+  moveTo(at + glm::dvec2(40, 0));
+  settle();
+  EXPECT_FALSE(before == *shown().solid) << "it is seen while it is dragged";
+  tap(KeyCode::escape);
+  settle();
+  post(ButtonChanged{Button::left, false});
+  settle();
+  EXPECT_TRUE(before == *shown().solid);
+}
+
+TEST_F(SolidMode, cellsAreCarvedExtrudedSplit) {
+  use(SolidTool::carve);
+  click(seen({10, 10, 20}));
+  EXPECT_EQ(cells(), 7u);
+  use(SolidTool::extrude);
+  click(seen({-10, 10, 20}));
+  EXPECT_EQ(cells(), 8u);
+  use(SolidTool::subdivide);
+  click(seen({-10, -10, 20}));
+  EXPECT_GT(cells(), 8u);
+  EXPECT_TRUE(solidReplays());
+}
+
+TEST_F(SolidMode, facesAreJoinedByTwoClicks) {
+  use(SolidTool::carve);
+  click(seen({10, 10, 20}));
+  use(SolidTool::join);
+  const std::size_t before = cells();
+  click(seen({-10, 10, 20}));
+  EXPECT_EQ(cells(), before);
+  click(seen({10, -10, 20}));
+  EXPECT_EQ(cells(), before + 1);
+}
+
+TEST_F(SolidMode, brushesAndRopeReplay) {
+  for (const SolidTool tool : {SolidTool::sharp, SolidTool::mass, SolidTool::stiffness,
+                               SolidTool::inflate, SolidTool::trim, SolidTool::probe}) {
+    use(tool);
+    click(middle());
+  }
+  EXPECT_FALSE(shown().solid->matter.mass.empty());
+  use(SolidTool::rope);
+  const auto before = shown().control().points;
+  drag(middle(), middle() + glm::dvec2(60, 20));
+  EXPECT_NE(shown().control().points, before);
+  atelier_.solid.map = SolidMap::mass;
+  atelier_.tellSolid();
+  settle();
+  EXPECT_GT(shown().high, shown().low);
+  EXPECT_TRUE(solidReplays());
+}
+
+TEST_F(SolidMode, bakedItIsClayAndReplays) {
+  const double before = mass();
+  atelier_.run(Command::bake);
+  settle();
+  EXPECT_GT(mass(), before);
+  expectReplays();
+}
+
+TEST_F(Null, aWrapCarriesTheClayAlong) {
+  const double before = atelier_.statistics().field.mass;
+  atelier_.solid.cells = {2, 2, 2};
+  atelier_.run(Command::wrap);
+  settle();
+  ASSERT_NE(atelier_.solidShown(), nullptr);
+  EXPECT_TRUE(atelier_.solidShown()->solid->isWrap());
+  atelier_.applySolid(SolidMoveOperation{Key{2, 4, 2}, {0, 30, 0}});
+  atelier_.run(Command::wrapApply);
+  settle();
+  EXPECT_NEAR(mass(), before, 1e-6 * before);
+  atelier_.run(Command::undo);
+  settle();
+  expectReplays();
+}
+
+}  // namespace
+}  // namespace bozzetto::ui

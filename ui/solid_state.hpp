@@ -1,0 +1,71 @@
+// What the hand holds in solid mode: values that panels show and operations are made of.
+#pragma once
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "ui/solid_shown.hpp"
+
+namespace bozzetto::ui {
+
+/// Whom tools work on.
+enum class WorkMode { clay, solid };
+
+enum class SolidTool {
+  move,
+  rope,
+  carve,
+  extrude,
+  join,
+  subdivide,
+  sharp,
+  mass,
+  stiffness,
+  inflate,
+  trim,
+  probe
+};
+
+/// What dragging the tool means.
+enum class SolidGrip { click, drag, brush };
+
+struct SolidToolRow {
+  SolidTool tool;
+  std::string_view title, verb, inverse;  ///< `inverse` with Ctrl held; empty: none
+  std::string_view what;                  ///< one line on the card
+  std::string_view tip;
+  Element element;  ///< what lights up under the pointer
+  SolidGrip grip;
+};
+
+inline constexpr int kSolidToolCount = 12;
+std::span<const SolidToolRow, kSolidToolCount> solidToolTable();
+const SolidToolRow& rowOf(SolidTool tool);
+
+struct SolidState {
+  SolidTool tool = SolidTool::move;
+  Element sharpens = Element::face;
+  double radius = 10;  ///< of brushes, world units
+  double factor = 2;   ///< of mass and stiffness
+  double amount = .5;  ///< of inflation
+  int steps = 20;      ///< of physics after a tool
+  double length = 0;   ///< of extrusion, world units; 0: as the cell behind
+
+  Key cells{3, 3, 3};  ///< of new blocks and wraps
+  double edge = 20;    ///< world units
+  int coarse = 6;      ///< cells along the clay
+  int bakeLevels = 2;
+  bool keepMass = true;
+
+  bool lattice = true, wires = true, surface = true;
+  SolidMap map = SolidMap::none;
+  std::optional<SolidSettings> settings;  ///< while they are being changed
+};
+
+/// What lies under the pointer, and where.
+struct SolidHit {
+  Id element = kNoId;
+  glm::dvec3 place{0};
+};
+
+}  // namespace bozzetto::ui
