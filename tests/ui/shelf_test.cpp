@@ -180,8 +180,10 @@ TEST_F(Shelf, theShelfIsSavedWithTheScene) {
   settle();
   atelier_.run(Command::newEmpty);
   settle();
+  settle();  // the list is asked for when the document has come
   EXPECT_EQ(card("ball"), nullptr);
   atelier_.openScene(path);
+  settle();
   settle();
   EXPECT_NE(card("ball"), nullptr);
 }
