@@ -41,6 +41,33 @@ struct Pencil {
   }
 };
 
+// What is done to a ball of clay.
+void drawBrush(const Pencil& pencil, SolidTool tool, const IconInks& inks) {
+  pencil.ring({0, .15f}, .68f, inks.clay);
+  switch (tool) {
+    case SolidTool::mass:
+      pencil.path({{0, -.1f}, {0, .55f}}, inks.action);
+      pencil.path({{-.25f, .3f}, {0, .58f}, {.25f, .3f}}, inks.action);
+      return;
+    case SolidTool::stiffness:
+      pencil.path({{-.45f, .15f}, {-.3f, -.1f}, {-.1f, .4f}, {.1f, -.1f}, {.3f, .4f}, {.45f, .15f}},
+                  inks.action);
+      return;
+    case SolidTool::inflate:
+      pencil.path({{0, -.2f}, {0, -.95f}}, inks.action);
+      pencil.path({{-.25f, -.7f}, {0, -.97f}, {.25f, -.7f}}, inks.action);
+      return;
+    case SolidTool::trim:
+      pencil.path({{-.48f, -.33f}, {.48f, .63f}}, inks.action);
+      return;
+    default:
+      pencil.dot({0, .15f}, .2f, inks.action);
+      pencil.path({{0, -.05f}, {0, -.95f}}, inks.action);
+      return;
+  }
+}
+
+// Geometry and topology; the others are brushes on a ball.
 void drawShape(const Pencil& pencil, SolidTool tool, const IconInks& inks) {
   switch (tool) {
     case SolidTool::move:
@@ -78,29 +105,7 @@ void drawShape(const Pencil& pencil, SolidTool tool, const IconInks& inks) {
       pencil.dot({0, -.7f}, .16f, inks.action);
       return;
     default:
-      break;
-  }
-  pencil.ring({0, .15f}, .68f, inks.clay);
-  switch (tool) {
-    case SolidTool::mass:
-      pencil.path({{0, -.1f}, {0, .55f}}, inks.action);
-      pencil.path({{-.25f, .3f}, {0, .58f}, {.25f, .3f}}, inks.action);
-      return;
-    case SolidTool::stiffness:
-      pencil.path({{-.45f, .15f}, {-.3f, -.1f}, {-.1f, .4f}, {.1f, -.1f}, {.3f, .4f}, {.45f, .15f}},
-                  inks.action);
-      return;
-    case SolidTool::inflate:
-      pencil.path({{0, -.2f}, {0, -.95f}}, inks.action);
-      pencil.path({{-.25f, -.7f}, {0, -.97f}, {.25f, -.7f}}, inks.action);
-      return;
-    case SolidTool::trim:
-      pencil.path({{-.48f, -.33f}, {.48f, .63f}}, inks.action);
-      return;
-    default:
-      pencil.dot({0, .15f}, .2f, inks.action);
-      pencil.path({{0, -.05f}, {0, -.95f}}, inks.action);
-      return;
+      return drawBrush(pencil, tool, inks);
   }
 }
 
