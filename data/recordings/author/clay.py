@@ -135,15 +135,14 @@ def folds():
 
 
 def neck():
+    """A dumbbell pulled until it necks and parts."""
     s = Session()
-    s.solid("box", [0, 0, 0], [46, 8, 8])
-    s.add("tool", shape="box", radii=[3, 14, 3], profile="box")
-    s.add("action", name="remove", strength=1)
-    for y, z in ((0, 9.5), (0, -9.5)):
-        s.add("stroke", points=[[0, y, z]])
-    s.hold([-60, -20, -20], [-30, 20, 20])
+    s.solid("capsule", [0, 0, 0], [7, 40, 7], rotation=quarter((0, 0, 1), 90))
+    for x in (-36, 36):
+        s.solid("ellipsoid", [x, 0, 0], [13, 13, 13])
+    s.hold([-60, -20, -20], [-28, 20, 20])
     s.clay(stiffness=1, parting=4)
-    s.move("grip", "box", [8, 12, 12], [[38, 0, 0], [110, 0, 0]])
+    s.move("grip", "ellipsoid", [17, 17, 17], [[36, 0, 0], [170, 0, 0]])
     return s
 
 
@@ -241,11 +240,16 @@ def cup():
     s.add("support", shape="box", center=[0, -8, 0], radii=[80, 8, 80])
     s.clay(layers=["automaton"])
     s.move("push", "cylinder", [17, 24, 17], [[0, 80, 0], [0, 36, 0]])
-    s.add("action", name="swell", strength=0.6)
-    s.add("tool", shape="ellipsoid", radii=[4, 4, 5])
-    for points in ([[-7, 38, 25], [7, 38, 25]], [[0, 44, 26], [0, 12, 26]],
-                   [[-8, 26, 25], [8, 26, 25]], [[-6, 14, 25], [6, 14, 25]]):
-        s.add("stroke", points=points)
+    s.add("tool", shape="ellipsoid", radii=[80, 80, 80])
+    s.add("action", name="smooth", strength=1)
+    for _ in range(6):
+        s.add("stroke", points=[[0, 26, 0]])
+    s.add("action", name="swell", strength=1)
+    s.add("tool", shape="ellipsoid", radii=[4, 4, 9])
+    for depth in (25, 26, 27):
+        for points in ([[-9, 38], [9, 38]], [[0, 44], [0, 12]], [[-10, 26], [10, 26]],
+                       [[-8, 13], [8, 13]]):
+            s.add("stroke", points=[[x, y, depth] for x, y in points])
     return s
 
 
