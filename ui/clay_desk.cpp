@@ -84,6 +84,7 @@ void ClayDesk::lay(Document document) {
   stroke_.reset();
   sculptor_ = std::make_unique<Sculptor>(std::move(document.field), SurfaceUpkeep::afterEachDab);
   sculptor_->tools().shelf = document.parts.shelf;
+  sculptor_->place(document.parts.supports);
   sculptor_->place(decodeSolid(document.parts.solid, "the scene"));
   dresser_ = std::make_unique<Dresser>();
   parts_ = std::move(document.parts);
@@ -134,6 +135,7 @@ Document ClayDesk::documentWith(const SceneParts& parts) const {
   Document document{sculptor_->field(), parts};
   document.parts.identity = parts_.identity;
   document.parts.shelf = sculptor_->tools().shelf;
+  document.parts.supports = sculptor_->clay().supports;
   document.parts.solid = encodeSolid(sculptor_->solid());
   return document;
 }

@@ -3,6 +3,7 @@
 
 #include "clay/automaton.hpp"
 #include "clay/clay_fixture.hpp"
+#include "clay/clearing.hpp"
 #include "clay/diffusion.hpp"
 #include "clay/displacement.hpp"
 #include "clay/influence.hpp"
@@ -239,6 +240,100 @@ TEST(KnownAnswers, SharpTransportKeepsEdgesAndMatter) {
   for (int k = 8; k < 20; ++k)
     steepest = std::max(steepest, 0.5f * (bench.at({4, 4, k - 1}) - bench.at({4, 4, k + 1})));
   EXPECT_GT(steepest, 1 / 2.5);
+}
+
+// clay.md §11.4: what splatting does to a step front carried over 20 cells.
+TEST(KnownAnswers, SplatSmearsAFront) {
+  const float step[] = {0.1f, 0.25f, 0.5f, 1.0f}, thickness[] = {10.709f, 9.833f, 8.171f, 2.0f};
+  for (int n = 0; n < 4; ++n) {
+    Bench bench;
+    bench.region = Region(KeyBox{{-16, -16, -56}, {31, 31, 63}});
+    bench.fill({4, 4, -40}, {4, 4, 4});
+    for (int made = 0; made < std::lround(20 / step[n]); ++made) {
+      for (const Row& row : bench.region.rows())
+        std::fill_n(&bench.region.wish[2][row.base], row.count, step[n]);
+      splat(bench.region);
+      bench.region.refreshRows();
+    }
+    float steepest = 0;
+    for (int k = 0; k < 50; ++k)
+      steepest = std::max(steepest, 0.5f * (bench.at({4, 4, k - 1}) - bench.at({4, 4, k + 1})));
+    EXPECT_NEAR(1 / steepest, thickness[n], 0.01) << step[n];
+  }
+}
+
+// clay.md §11.8: a soft rim keeps what it has room for, whatever the number of ways out.
+TEST(KnownAnswers, RimsOfToolsAreNotEmptied) {
+  for (int ways = 1; ways <= 3; ++ways) {
+    Bench bench;
+    bench.fill({4, 4, 4}, {4, 4, 4});
+    const std::size_t cell = bench.region.index({4, 4, 4});
+    bench.region.cover[cell] = 0.8f;
+    bench.region.covered = {static_cast<std::uint32_t>(cell)};
+    for (int n = ways; n < 6; ++n) bench.region.hold[cell + bench.region.neighbours()[n]] = kFixed;
+    Work work = bench.work();
+    Clearing().run(work);
+    EXPECT_NEAR(bench.region.value[cell], 0.2, 1e-5);
+    for (int n = 0; n < ways; ++n)
+      EXPECT_NEAR(bench.region.value[cell + bench.region.neighbours()[n]], 0.8 / ways, 1e-5);
+  }
+}
+
+// A solid whose surface faces (1, 2, 2).
+class Slanted final : public Solid {
+ public:
+  double distance(const glm::dvec3& p) const override { return (p.x + 2 * p.y + 2 * p.z) / 3 - 1; }
+  void evaluate(Key, int side, float* value) const override {
+    std::fill_n(value, side * side * side, 1.0f);
+  }
+};
+
+// clay.md §11.10: 0.9 goes out by 0.18, 0.36 and 0.36.
+TEST(KnownAnswers, RaffinsPartsFollowTheNormal) {
+  Bench bench;
+  bench.fill({4, 4, 4}, {4, 4, 4}, 0.9f);
+  const std::size_t cell = bench.region.index({4, 4, 4});
+  bench.region.cover[cell] = 1;
+  bench.region.covered = {static_cast<std::uint32_t>(cell)};
+  PlacedTool tool;
+  tool.solid = std::make_unique<Slanted>();
+  tool.solid->cell = {4, 4, 4};
+  bench.moving.push_back(std::move(tool));
+  Work work = bench.work();
+  Diffusion().run(work);
+  EXPECT_NEAR(bench.at({5, 4, 4}), 0.18, 1e-5);
+  EXPECT_NEAR(bench.at({4, 5, 4}), 0.36, 1e-5);
+  EXPECT_NEAR(bench.at({4, 4, 5}), 0.36, 1e-5);
+  EXPECT_EQ(bench.at({4, 4, 4}), 0);
+}
+
+// How far Σ(Pₙ − P) is from the right side, over all cells.
+double residualOf(const Region& region) {
+  double sum = 0;
+  for (const Row& row : region.denseRows())
+    for (std::size_t n = row.base; n < row.base + row.count; ++n) {
+      if (region.inverse[n] <= 0) continue;
+      double own = -region.rhs[n] - region.pressure[n] / region.inverse[n];
+      for (const std::ptrdiff_t step : region.neighbours()) own += region.pressure[n + step];
+      sum += own * own;
+    }
+  return std::sqrt(sum);
+}
+
+// A cycle leaves less than half of the error where plain sweeps would hardly see it.
+TEST(KnownAnswers, CyclesReachFar) {
+  Bench bench;
+  bench.region = Region(KeyBox{{-16, -16, -16}, {79, 39, 79}});
+  bench.fill({0, 0, 0}, {60, 20, 60});
+  for (int n = 0; n < 61 * 61; ++n)
+    bench.region.hold[bench.region.index({n / 61, 0, n % 61})] = kFixed;
+  bench.at({30, 10, 30}) = 2;
+  Work work = bench.work();
+  Projection projection;
+  projection.run(work, {2, 1, 2});
+  const double before = residualOf(bench.region);
+  projection.run(work, {3, 1, 2});
+  EXPECT_LT(residualOf(bench.region), before / 8);
 }
 
 }  // namespace

@@ -156,6 +156,23 @@ TEST(Promises, SlowToolsWithRoomHoldNothing) {
   }
 }
 
+// Takai's column: pressed from above it gets shorter and wider, and nothing is left in the plate.
+TEST(Promises, AColumnGivesWayUnderAPlate) {
+  Clay clay;
+  addSolid(clay, Shape::cylinder, {0, 12, 0}, {8, 12, 8});
+  holdBox(clay, {-10, -2, -10}, {10, 1, 10});
+  const double before = statistics(clay).mass;
+  Push push = pushOf(Shape::box, {20, 3, 20}, 1);
+  push.setup.settings.layers = {LayerKind::automaton};
+  push.stroke.points = {{{0, 28, 0}, 1}, {{0, 19, 0}, 1}};
+  run(clay, push);
+  EXPECT_NEAR(statistics(clay).mass / before, 1, 1e-7);
+  EXPECT_EQ(clay.value({0, 18, 0}), 0);
+  EXPECT_EQ(clay.value({0, 23, 0}), 0);
+  EXPECT_GT(clay.value({0, 14, 0}), 0.9);
+  EXPECT_GT(clay.value({10, 13, 0}), 0.5);
+}
+
 // The automaton pulls too: behind the grip a bar grows thinner, as a column grows thicker under a
 // plate.
 TEST(Promises, TheAutomatonPulls) {
