@@ -19,8 +19,9 @@ constexpr double kStepCells = 0.5;       // clay.md §3.0
 constexpr double kFluid = 0.1;           // less stiffness than this leads nobody far
 constexpr std::size_t kMostImages = 64;  // tools that move at once
 constexpr double kFluidReach = 1.5;      // × radius: how far round the tool fluid clay gives way
-constexpr std::int32_t kRoom = 2;        // tiles of air round the clay of a region
-constexpr std::int32_t kSlack = 1;       // tiles a tool may move before its region does
+constexpr std::int64_t kMostRegion = std::int64_t{1} << 31;  // cells are counted in 32 bits
+constexpr std::int32_t kRoom = 2;   // tiles of air round the clay of a region
+constexpr std::int32_t kSlack = 1;  // tiles a tool may move before its region does
 
 PlacedTool place(std::unique_ptr<Solid> solid, const DabPose& pose, Role role) {
   PlacedTool tool;
@@ -228,7 +229,12 @@ struct ClayStroke<Side>::State {
       return;
     }
     whole = reach.whole;
-    Region next(tileBox(united(reach.box, needed), 1 + (whole ? kRoom : kSlack)));
+    const KeyBox box = tileBox(united(reach.box, needed), 1 + (whole ? kRoom : kSlack));
+    if (box.count() > kMostRegion) {
+      throw Error("stroke: " + std::to_string(box.count()) +
+                  " cells found round the tool, at most 2 billion expected where clay is moved");
+    }
+    Region next(box);
     clay::load<Side>(next, *edit);
     stepper.begin(next, supports);
     if (region) keepPressure(*region, next);

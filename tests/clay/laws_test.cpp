@@ -296,5 +296,20 @@ TEST(Laws, RefusesWhatMakesNoSense) {
   EXPECT_THROW(begin(), Error);
 }
 
+TEST(Laws, RefusesSurroundingsBeyondItsCounts) {
+  Clay clay = slab();
+  Push push{toolOf(Shape::ellipsoid, {380, 380, 380}), Role::push, {}, {}};
+  push.setup.settings.stiffness = 0;
+  push.stroke.points = {{{0, 380, 0}, 1}};
+  std::string told;
+  try {
+    run(clay, push);
+  } catch (const Error& error) {
+    told = error.what();
+  }
+  EXPECT_NE(told.find("cells found round the tool"), std::string::npos) << told;
+  EXPECT_EQ(fieldHash(clay), fieldHash(slab()));
+}
+
 }  // namespace
 }  // namespace bozzetto::clay::testing
