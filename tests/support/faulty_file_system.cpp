@@ -55,29 +55,44 @@ class FaultyFile : public File {
 }  // namespace
 
 void FaultyFileSystem::start(Fault fault) {
+  const std::lock_guard lock(mutex_);
   fault_ = fault;
   count_ = 0;
   failed_ = false;
 }
 
-bool FaultyFileSystem::strikes() {
+std::size_t FaultyFileSystem::operations() const {
+  const std::lock_guard lock(mutex_);
+  return count_;
+}
+
+bool FaultyFileSystem::failed() const {
+  const std::lock_guard lock(mutex_);
+  return failed_;
+}
+
+std::optional<Fault> FaultyFileSystem::strike() {
+  const std::lock_guard lock(mutex_);
   const std::size_t number = ++count_;
   const bool every = fault_.kind == FaultKind::interrupted && (number - fault_.first) % 2 == 0;
   const bool now = number == fault_.first || (number > fault_.first && fault_.forever &&
                                               (fault_.kind != FaultKind::interrupted || every));
-  if (now) failed_ = true;
-  return now;
+  if (!now) return std::nullopt;
+  failed_ = true;
+  return fault_;
 }
 
 int FaultyFileSystem::next() {
-  if (!strikes() || fault_.kind == FaultKind::shortWrite) return 0;
-  return fault_.kind == FaultKind::interrupted ? -EINTR : -fault_.number;
+  const auto fault = strike();
+  if (!fault || fault->kind == FaultKind::shortWrite) return 0;
+  return fault->kind == FaultKind::interrupted ? -EINTR : -fault->number;
 }
 
 std::int64_t FaultyFileSystem::nextWrite(std::size_t bytes) {
-  if (!strikes()) return static_cast<std::int64_t>(bytes);
-  if (fault_.kind == FaultKind::interrupted) return -EINTR;
-  if (fault_.kind == FaultKind::error) return -fault_.number;
+  const auto fault = strike();
+  if (!fault) return static_cast<std::int64_t>(bytes);
+  if (fault->kind == FaultKind::interrupted) return -EINTR;
+  if (fault->kind == FaultKind::error) return -fault->number;
   return static_cast<std::int64_t>((bytes + 1) / 2);
 }
 

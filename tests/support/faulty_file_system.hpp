@@ -1,10 +1,11 @@
 // A disk that fails: hands everything on to another file system, but the n-th operation, or all
 // from it on, go wrong.
 #pragma once
-#include <atomic>
 #include <cerrno>
 #include <functional>
 #include <limits>
+#include <mutex>
+#include <optional>
 
 #include "bozzetto/base/file_system.hpp"
 
@@ -36,9 +37,9 @@ class FaultyFileSystem : public FileSystem {
 
   /// Counts from 0 again, with another fault (none: a good disk).
   void start(Fault fault = {});
-  std::size_t operations() const { return count_; }
+  std::size_t operations() const;
   /// Whether the fault has come.
-  bool failed() const { return failed_; }
+  bool failed() const;
 
   int openOnce(const std::filesystem::path& path, OpenMode mode, Rights rights,
                std::unique_ptr<File>& file) override;
@@ -56,12 +57,14 @@ class FaultyFileSystem : public FileSystem {
   std::int64_t nextWrite(std::size_t bytes);
 
  private:
-  bool strikes();
+  /// Counts one operation: the fault that hits it.
+  std::optional<Fault> strike();
 
   FileSystem* below_;
+  mutable std::mutex mutex_;  // a history's writer works while a test changes the disk's luck
   Fault fault_;
-  std::atomic<std::size_t> count_{0};
-  std::atomic<bool> failed_{false};
+  std::size_t count_ = 0;
+  bool failed_ = false;
 };
 
 /// Does `work` with the first operation failing, then the second, … until nothing fails any more;
