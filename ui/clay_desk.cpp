@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/io/mesh_file.hpp"
 #include "bozzetto/mesh/decimate.hpp"
@@ -33,6 +35,7 @@ std::string titleOf(const Operation& operation) {
        {"undo", "redo", "scene", "tool", "action", "clay", "support", "support_move",
         "support_drop", "solid_probe", "shelf_keep", "shelf_rename", "shelf_drop"})
     if (name == none) return "";
+  std::ranges::replace(name, '_', ' ');
   name[0] = char(std::toupper(static_cast<unsigned char>(name[0])));
   return name;
 }

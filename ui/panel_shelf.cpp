@@ -17,6 +17,8 @@ const char* nameOf(Place place) {
   return names[int(place)];
 }
 
+bool escapes() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)); }
+
 void ask(ShelfDrawer& drawer, Form form) {
   drawer.form = drawer.form == form ? Form::none : form;
   drawer.formOpened = true;
@@ -50,6 +52,7 @@ void cardMenu(Atelier& atelier, const ToolEntry& entry) {
       if (ImGui::MenuItem("Rename…")) askAbout(drawer, Form::rename, entry);
       if (ImGui::MenuItem("Delete…")) askAbout(drawer, Form::remove, entry);
     }
+    if (escapes()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);
@@ -278,6 +281,7 @@ void drawShelf(const PanelContext& context) {
   cards(context);
   ImGui::EndChild();
   form(atelier);
+  if (escapes()) drawer.form = Form::none;
   buttons(atelier);
   ImGui::End();
 }

@@ -88,7 +88,7 @@ void makeSection(Atelier& atelier) {
   slider("Edge", solid.edge, {1, 200, "mm", 1, 1, true}, "Of a cell of a new block.");
   press(atelier, "New block", half(), Command::solidBlock);
   ImGui::SameLine();
-  press(atelier, "Wrap the clay", half(), Command::wrap);
+  press(atelier, "Wrap the clay", whole(), Command::wrap);
   count("Cells along the clay", solid.coarse, {1, 24, "", 1, 0}, "Of a solid made of the clay.");
   press(atelier, "From the clay", whole(), Command::solidFromClay);
 }
@@ -174,7 +174,7 @@ void physicsSection(Atelier& atelier) {
   }
   press(atelier, "Let it move", half(), Command::solidRun);
   ImGui::SameLine();
-  press(atelier, "Take as rest", half(), Command::solidRest);
+  press(atelier, "Take as rest", whole(), Command::solidRest);
   if (button("Only in the box", {half(), 0}, ButtonKind::plain,
              "Only points inside the workspace box move; without the box all do.")) {
     atelier.solidWindow();

@@ -110,6 +110,7 @@ void SculptState::take(const Freeform& taken, double cell) {
 
 void SculptState::drop() {
   shape = Shape::ellipsoid;
+  if (freeform) spacing = SculptState{}.spacing;
   freeform.reset();
   placement = {};
 }

@@ -109,12 +109,18 @@ std::vector<UnpackedPatch> patchesOf(const Skin& skin, double spacing) {
   return patches;
 }
 
-std::vector<std::array<glm::dvec3, 2>> wiresOf(const Lattice& refined) {
+// A little outside, so that the surface does not cut them into dots.
+std::vector<std::array<glm::dvec3, 2>> wiresOf(const Lattice& refined, const Skin& skin,
+                                               double spacing) {
+  constexpr double kLiftCells = 0.25;
   const Topology topology(refined);
+  const auto lifted = [&](Id point) {
+    return refined.points[point] + skin.normals[point] * (kLiftCells * spacing);
+  };
   std::vector<std::array<glm::dvec3, 2>> wires;
   for (Id n = 0; n < topology.edges.size(); ++n) {
     if (!topology.boundaryEdge[n]) continue;
-    wires.push_back({refined.points[topology.edges[n][0]], refined.points[topology.edges[n][1]]});
+    wires.push_back({lifted(topology.edges[n][0]), lifted(topology.edges[n][1])});
   }
   if (wires.size() > kMostWires) wires.clear();
   return wires;
@@ -153,7 +159,7 @@ std::shared_ptr<const SolidShown> shownSolid(std::shared_ptr<const Solid> solid,
     skin.colours = coloursOf(tinted(*solid, tint), *shown);
   }
   shown->surface = patchesOf(skin, spacing);
-  shown->wires = wiresOf(refined);
+  shown->wires = wiresOf(refined, skin, spacing);
   shown->refinedCells = refined.cells.size();
   shown->refinedPoints = refined.points.size();
   return shown;

@@ -121,6 +121,11 @@ TEST_F(Shelf, theKeepFormWorksByPointerAndKeys) {
   click({at.low.x + 40, at.high.y - 26});  // Keep…
   ASSERT_EQ(atelier_.shelf.form, ShelfDrawer::Form::keep);
   settle();
+  tap(KeyCode::escape);
+  settle();
+  EXPECT_EQ(atelier_.shelf.form, ShelfDrawer::Form::none);
+  click({at.low.x + 40, at.high.y - 26});
+  settle();
   tapCtrl(letter('A'));
   type("my ball");
   tap(KeyCode::enter);
