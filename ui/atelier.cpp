@@ -25,6 +25,7 @@ Atelier::Atelier(const Options& given) : configFolder_(given.configFolder), work
   options.look.dither = 1;
   if (given.scene.empty()) {
     startNew(NewClay::ball);
+    worker_.post([](ClayDesk& desk) { desk.findLeftBehind(); });
   } else {
     openScene(given.scene);
   }
@@ -56,7 +57,7 @@ Publication Atelier::poll() {
   for (const auto& [key, patch] : fresh.fine) patches_.put(key, patch);
   if (fresh.status) status_ = *fresh.status;
   if (fresh.statistics) statistics_ = *fresh.statistics;
-  if (fresh.opened) opened(*fresh.opened);
+  tell(fresh);
   if (fresh.solid) {
     solidShown_ = *fresh.solid;
     previewing_ = false;
@@ -64,8 +65,6 @@ Publication Atelier::poll() {
   }
   if (fresh.shelf) shelf.cards = *fresh.shelf;
   if (fresh.taken) sculpt.take(*fresh.taken, status_.scale.spacing);
-  for (const std::string& text : fresh.notes) say(Message::Kind::note, text);
-  for (const std::string& text : fresh.errors) say(Message::Kind::error, text);
   if (!framed_ && !patches_.empty()) frameAll();
   if (!sized_ && !patches_.empty()) {
     const CellBounds& all = patches_.bounds();
@@ -82,7 +81,41 @@ Publication Atelier::poll() {
   return fresh;
 }
 
-void Atelier::opened(const SceneParts& parts) {
+// What has become of the document.
+void Atelier::tell(const Publication& fresh) {
+  if (fresh.opened) opened(*fresh.opened);
+  if (fresh.comparison) comparison = fresh.comparison;
+  if (fresh.left) {
+    left_ = *fresh.left;
+    if (left_.empty() == (dialog == Dialog::leftBehind)) {
+      dialog = left_.empty() ? Dialog::none : Dialog::leftBehind;
+    }
+  }
+  for (const std::string& text : fresh.notes) say(Message::Kind::note, text);
+  for (const std::string& text : fresh.errors) say(Message::Kind::error, text);
+  if (fresh.saved) saved(*fresh.saved);
+}
+
+void Atelier::saved(const SavedFile& file) {
+  const auto then = std::exchange(whenSaved_, nullptr);
+  if (!file.succeeded) return;
+  savedAt_ = now_;
+  settings.remember(file.path);
+  say(Message::Kind::note, "Saved " + file.path.filename().string());
+  if (then) then();
+}
+
+void Atelier::opened(OpenedDocument document) {
+  document_ = std::move(document);
+  const SceneParts& parts = document_.parts;
+  comparison.reset();
+  peeking_ = false;
+  sculpt.recall.reset();
+  savedAt_ = -1;
+  if (document_.surprising) dialog = Dialog::recovered;
+  if (document_.findings.readOnly) {
+    say(Message::Kind::error, "Open elsewhere: read-only here. Save as… keeps what you change");
+  }
   framed_ = sized_ = false;
   mode_ = WorkMode::clay;
   if (shelf.open) listShelf();
@@ -126,7 +159,7 @@ void Atelier::movedView(const ViewState& before) {
   updateHover();
 }
 
-std::string Atelier::title() const { return path_.empty() ? "untitled" : path_.stem().string(); }
+std::string Atelier::title() const { return path().empty() ? "untitled" : path().stem().string(); }
 
 void Atelier::say(Message::Kind kind, std::string text) {
   messages_.push_back({kind, std::move(text), now_ + kMessageSeconds});
@@ -161,12 +194,6 @@ ViewFrame Atelier::viewFrame() const {
 void Atelier::apply(const Operation& operation) {
   touch();
   worker_.post([operation](ClayDesk& desk) { desk.apply(operation); });
-}
-
-void Atelier::goToStep(std::size_t done) {
-  const int by = int(done) - int(status_.done);
-  if (by < 0) apply(UndoOperation{-by});
-  if (by > 0) apply(RedoOperation{by});
 }
 
 }  // namespace bozzetto::ui

@@ -53,6 +53,8 @@ enum class Dialog {
   shareTool,
   keepFile,
   unsaved,
+  recovered,   ///< work came back that was not saved
+  leftBehind,  ///< so did work without a name
   help
 };
 
@@ -137,12 +139,20 @@ class Atelier {
   void apply(const Operation& operation);
   void resample(double spacing);
   void showStructure(Structure structure);
-  /// Undoes or redoes until `done` steps are done.
-  void goToStep(std::size_t done);
-  void setTool(ActionKind action) {
-    setMode(WorkMode::clay);
-    sculpt.action = action;
-  }
+  void setTool(ActionKind action);
+
+  // History.
+  void goTo(StepNumber step);
+  /// Strokes bring back the clay of that state from now on.
+  void recallFrom(StepNumber step);
+  void compareWith(StepNumber step);
+  /// Shows the compared state while it lasts.
+  void peek(bool shown);
+  /// Of the recovered document; true: as the file has it.
+  void answerRecovered(bool asSaved);
+  void openLeftBehind(const std::filesystem::path& path);
+  void discardLeftBehind(const std::filesystem::path& path);
+  void keepPicture(StepNumber step, Bytes png);
 
   // Solids (atelier_solid.cpp).
   WorkMode mode() const { return mode_; }
@@ -196,6 +206,8 @@ class Atelier {
   ShelfDrawer shelf;
   bool paletteOpen = false;
   bool panelsShown = true;
+  bool historyShown = false;
+  std::optional<Comparison> comparison;  ///< shown until it is closed
   glm::dvec2 palettePlace{0};
   bool fullScreen = false;
   std::function<Bytes()> thumbnail;                    ///< a PNG of the view; may be empty
@@ -212,9 +224,12 @@ class Atelier {
   ActionKind actionNow() const { return actionFor(sculpt.action, heldMeaning()); }
   const std::optional<HeldTool>& heldTool() const { return heldTool_; }
   const StrokeMaker* strokeMaker() const { return maker_ ? &*maker_ : nullptr; }
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return status_.keeping.path; }
   std::string title() const;
-  bool isModified() const { return status_.version != status_.savedVersion; }
+  bool isModified() const { return status_.keeping.modified; }
+  const OpenedDocument& document() const { return document_; }
+  const std::vector<LeftDocument>& leftBehind() const { return left_; }
+  bool isPeeking() const { return peeking_; }
   bool wantsToClose() const { return closing_; }
   const std::shared_ptr<LongJob>& job() const { return job_; }
   std::vector<Message> messages() const;
@@ -251,9 +266,13 @@ class Atelier {
   void updateHover();
   void movedView(const ViewState& before);
   void moveToolDepth(double notches);
-  void opened(const SceneParts& parts);
+  void opened(OpenedDocument document);
+  void tell(const Publication& fresh);
+  void saved(const SavedFile& file);
+  void close();
+  void leaveDocument();
   void whenDone(std::shared_ptr<LongJob> job, std::function<void()> then);
-  void startNew(NewClay kind);
+  void startNew(NewClay kind, const std::filesystem::path& path = {});
   bool runFile(Command command);
   bool runStroke(Command command);
   void runView(Command command);
@@ -323,10 +342,14 @@ class Atelier {
   PatchSet patches_;
   ClayStatus status_;
   ClayStatistics statistics_;
-  std::filesystem::path path_, configFolder_;
+  OpenedDocument document_;
+  std::vector<LeftDocument> left_;
+  std::filesystem::path configFolder_;
   bool closing_ = false, framed_ = false, sized_ = false;
   std::vector<Message> messages_;
-  std::function<void()> afterSaving_;
+  bool discarding_ = false;  // the user said so; done when the document is left
+  bool peeking_ = false;
+  std::function<void()> afterSaving_, whenSaved_;
   std::shared_ptr<LongJob> job_;
   std::function<void()> afterJob_;
   ClayWorker worker_;

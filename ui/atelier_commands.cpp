@@ -112,7 +112,7 @@ Dialog dialogOf(Command command) {
 
 bool Atelier::isChecked(Command command) const {
   for (const NamedTool& tool : kTools)
-    if (tool.command == command) return sculpt.action == tool.action;
+    if (tool.command == command) return sculpt.action == tool.action && !sculpt.recall;
   if (isMirror(command)) return sculpt.symmetry.mirror[std::size_t(index(axisOf(command)))];
   if (isMoves(command)) return mouseMoves == movesOf(command);
   switch (command) {
@@ -124,6 +124,8 @@ bool Atelier::isChecked(Command command) const {
       return options.look.edges;
     case Command::workspaceBox:
       return options.box;
+    case Command::history:
+      return historyShown;
     case Command::panels:
       return panelsShown;
     case Command::shelf:
@@ -142,7 +144,7 @@ bool Atelier::isPossible(Command command) const {
     case Command::undo:
       return status_.done > 0 || status_.inStroke;
     case Command::redo:
-      return status_.done < status_.steps.size();
+      return status_.done < status_.history->line.size();
     case Command::wrap:
     case Command::solidFromClay:
       return !patches_.empty();
@@ -209,14 +211,14 @@ bool Atelier::runFile(Command command) {
       ifSaved([this] { startNew(NewClay::empty); });
       return true;
     case Command::save:
-      if (path_.empty()) {
+      if (path().empty()) {
         dialog = Dialog::saveAs;
       } else {
-        saveScene(path_);
+        saveScene(path());
       }
       return true;
     case Command::saveNumbered:
-      if (path_.empty()) {
+      if (path().empty()) {
         dialog = Dialog::saveAs;
       } else {
         saveNumbered();
@@ -365,6 +367,9 @@ void Atelier::runView(Command command) {
       options.box = true;
       options.boxSize = WorkspaceBox{patches_.bounds().low * status_.scale.spacing,
                                      patches_.bounds().high * status_.scale.spacing};
+      return;
+    case Command::history:
+      historyShown = !historyShown;
       return;
     case Command::panels:
       panelsShown = !panelsShown;

@@ -28,6 +28,7 @@ void Atelier::whenDone(std::shared_ptr<LongJob> job, std::function<void()> then)
 }
 
 void Atelier::ifSaved(std::function<void()> next) {
+  discarding_ = false;
   if (!isModified()) return next();
   afterSaving_ = std::move(next);
   dialog = Dialog::unsaved;
@@ -37,35 +38,44 @@ void Atelier::answerUnsaved(bool save) {
   dialog = Dialog::none;
   const auto next = std::exchange(afterSaving_, nullptr);
   if (!next) return;
-  if (!save) return next();
-  if (!path_.empty()) return saveScene(path_, next);
+  if (!save) {
+    discarding_ = true;
+    return next();
+  }
+  if (!path().empty() && !status_.keeping.readOnly) return saveScene(path(), next);
   afterSaving_ = next;  // saveScene goes on with it
   dialog = Dialog::saveAs;
 }
 
 void Atelier::askToClose() {
-  ifSaved([this] { closing_ = true; });
+  ifSaved([this] { close(); });
 }
 
-void Atelier::startNew(NewClay kind) {
-  path_.clear();
-  worker_.post([kind](ClayDesk& desk) { desk.startNew(kind); });
+void Atelier::close() {
+  leaveDocument();
+  worker_.post([](ClayDesk& desk) { desk.leave(); });
+  closing_ = true;
+}
+
+void Atelier::leaveDocument() {
+  if (std::exchange(discarding_, false)) worker_.post([](ClayDesk& desk) { desk.discard(); });
+}
+
+void Atelier::startNew(NewClay kind, const fs::path& path) {
+  leaveDocument();
+  worker_.post([kind, path](ClayDesk& desk) { desk.startNew(kind, path); });
 }
 
 void Atelier::openScene(const fs::path& path) {
   dialog = Dialog::none;
-  if (!fs::exists(path)) {
-    // A name for a scene that is to be: start with a ball and save there.
-    startNew(NewClay::ball);
-    path_ = path;
-    return;
+  // A name for a scene that is to be: start with a ball and save there.
+  if (!fs::exists(path) && !identityOf(historyFolderOf(path))) {
+    return startNew(NewClay::ball, path);
   }
+  leaveDocument();
   whenDone(worker_.start("Opening " + path.filename().string(),
                          [path](ClayDesk& desk, Progress& progress) { desk.open(path, progress); }),
-           [this, path] {
-             path_ = path;
-             settings.remember(path);
-           });
+           [this, path] { settings.remember(path); });
 }
 
 SceneParts Atelier::parts() const {
@@ -82,22 +92,13 @@ void Atelier::saveScene(const fs::path& wanted, std::function<void()> then) {
   dialog = Dialog::none;
   if (!then) then = std::exchange(afterSaving_, nullptr);
   afterSaving_ = nullptr;
-  whenDone(worker_.start("Saving " + path.filename().string(),
-                         [path, parts = parts()](ClayDesk& desk, Progress& progress) {
-                           desk.save(path, parts, progress);
-                         }),
-           [this, path, then] {
-             path_ = path;
-             savedAt_ = now_;
-             settings.remember(path);
-             say(Message::Kind::note, "Saved " + path.filename().string());
-             if (then) then();
-           });
+  whenSaved_ = std::move(then);
+  worker_.post([path, parts = parts()](ClayDesk& desk) { desk.save(path, parts); });
 }
 
 void Atelier::saveNumbered() {
   whenDone(worker_.start("Saving a copy",
-                         [path = path_, parts = parts()](ClayDesk& desk, Progress& progress) {
+                         [path = path(), parts = parts()](ClayDesk& desk, Progress& progress) {
                            desk.saveNumbered(path, parts, progress);
                          }),
            {});
@@ -105,14 +106,14 @@ void Atelier::saveNumbered() {
 
 void Atelier::importMesh(const fs::path& path, int cells) {
   dialog = Dialog::none;
-  ImportOptions how;
+  ImportOperation how;
+  how.from = fs::absolute(path).string();
   how.cells = cells;
   how.colour = sculpt.colour;
+  leaveDocument();
   whenDone(worker_.start("Importing " + path.filename().string(),
-                         [path, how](ClayDesk& desk, Progress& progress) {
-                           desk.import(path, how, progress);
-                         }),
-           [this] { path_.clear(); });
+                         [how](ClayDesk& desk, Progress& progress) { desk.import(how, progress); }),
+           {});
 }
 
 void Atelier::exportMesh(const fs::path& path, double keep) {

@@ -12,7 +12,7 @@ ToolShape Atelier::toolAt(const GroundHit& ground) const {
 }
 
 HandOperations Atelier::handAt(const GroundHit& ground) const {
-  return {sculpt.toolOperation(toolAt(ground)), {sculpt.options(actionNow())}, {sculpt.clay}};
+  return {sculpt.toolOperation(toolAt(ground)), sculpt.operation(actionNow()), {sculpt.clay}};
 }
 
 void Atelier::beginStroke(double pressure) {

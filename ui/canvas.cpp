@@ -76,13 +76,20 @@ UnpackedPatch ballPatch(Colour colour) {
   return ball;
 }
 
+// Pictures that we draw begin at the bottom.
+enum class Rows { fromTop, fromBottom };
+
 // Of a PNG; 0 for one that is damaged.
-GLuint textureOf(const Bytes& png, const std::string& name) {
+GLuint textureOf(const Bytes& png, const std::string& name, Rows rows) {
   Image image;
   try {
     image = decodePng(png, name);
   } catch (const Error&) {
     return 0;
+  }
+  for (int y = 0; rows == Rows::fromBottom && y < image.height / 2; ++y) {
+    Image::Pixel* const row = &image.at(0, y);
+    std::swap_ranges(row, row + image.width, &image.at(0, image.height - 1 - y));
   }
   GLuint texture = 0;
   glGenTextures(1, &texture);
@@ -109,9 +116,15 @@ struct Canvas::Impl {
   int fontsVersion = 0;
 
   void makeBalls();
+  static void forget(ImTextureID& texture);
+  void takePictures(const Publication& fresh);
+  void forgetSteps();
+  GLuint draw(const Shot& shot, Image* copy);
   void pictureStep();
   void uploadTools();
   void uploadSolid();
+  void pictureDocument();
+  Shot documentShot() const;
   std::size_t upload();
 };
 
@@ -138,21 +151,65 @@ void Canvas::Impl::makeBalls() {
   renderer.clear();
 }
 
-// The step we stand at, seen close to where it happened; at rest only. Pictures of steps that are
-// no more go.
+void Canvas::Impl::forget(ImTextureID& texture) {
+  const GLuint name = GLuint(reinterpret_cast<std::uintptr_t>(std::exchange(texture, nullptr)));
+  if (name != 0) glDeleteTextures(1, &name);
+}
+
+// Pictures that came from the disk.
+void Canvas::Impl::takePictures(const Publication& fresh) {
+  UiPictures& pictures = interface->pictures;
+  if (fresh.opened) {
+    for (auto& [step, texture] : pictures.steps) forget(texture);
+    pictures.steps.clear();
+    forget(pictures.document);
+  }
+  for (const auto& [step, png] : fresh.pictures) {
+    ImTextureID& texture = pictures.steps[step];
+    forget(texture);
+    texture = asTexture(textureOf(png, "picture of a step", Rows::fromBottom));
+  }
+  if (!fresh.left) return;
+  for (auto& [path, texture] : pictures.left) forget(texture);
+  pictures.left.clear();
+  for (const LeftDocument& left : *fresh.left) {
+    if (left.glance.thumbnail.empty()) continue;
+    pictures.left[left.path] =
+        asTexture(textureOf(left.glance.thumbnail, "left behind", Rows::fromBottom));
+  }
+}
+
+// Pictures of steps that are no more go.
+void Canvas::Impl::forgetSteps() {
+  const HistoryView& history = *atelier->status().history;
+  auto& pictures = interface->pictures.steps;
+  for (auto at = pictures.begin(); at != pictures.end();) {
+    const bool gone = history.find(at->first) == nullptr;
+    if (gone) forget(at->second);
+    at = gone ? pictures.erase(at) : std::next(at);
+  }
+}
+
+// The clay alone, in a texture of its own; the caller deletes it.
+GLuint Canvas::Impl::draw(const Shot& shot, Image* copy) {
+  Look look = atelier->options.look;
+  look.detail = Detail::baked;
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  Target target(shot.width, shot.height);
+  renderer.draw(shot, look);
+  if (copy != nullptr) *copy = readBack({shot.width, shot.height});
+  glBindFramebuffer(GL_FRAMEBUFFER, GLuint(bound));
+  return target.takeColour();
+}
+
+// The step we stand at, seen close to where it happened; at rest only.
 void Canvas::Impl::pictureStep() {
   const ClayStatus& status = atelier->status();
+  const StepNumber step = status.history->place;
   auto& pictures = interface->pictures.steps;
-  std::erase_if(pictures, [&](const auto& entry) {
-    const auto same = [&](const StepLine& step) { return step.id == entry.first; };
-    if (std::ranges::any_of(status.steps, same)) return false;
-    const GLuint name = GLuint(reinterpret_cast<std::uintptr_t>(entry.second));
-    glDeleteTextures(1, &name);
-    return true;
-  });
-  if (status.done == 0 || status.done > status.steps.size() || status.lastEdit.empty()) return;
-  const std::uint64_t id = status.steps[status.done - 1].id;
-  if (status.lastEditStep != id || pictures.contains(id)) return;
+  if (step == status.history->root || status.peek || status.lastEdit.empty()) return;
+  if (status.lastEditStep != step || pictures.contains(step)) return;
   ViewState near = atelier->view;
   CellBounds box = status.lastEdit;
   const glm::dvec3 least = glm::dvec3(status.stage.unit * .35);
@@ -165,14 +222,25 @@ void Canvas::Impl::pictureStep() {
   frame(near, std::span(&box, 1), double(shot.width) / shot.height, .9);
   shot.camera = cameraOf(near, status.scale.spacing);
   shot.stage = status.stage;
-  Look look = atelier->options.look;
-  look.detail = Detail::baked;
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  Target target(shot.width, shot.height);
-  renderer.draw(shot, look);
-  glBindFramebuffer(GL_FRAMEBUFFER, GLuint(bound));
-  pictures[id] = asTexture(target.takeColour());
+  Image image;
+  pictures[step] = asTexture(draw(shot, &image));
+  atelier->keepPicture(step, encodePng(image));
+}
+
+// What came back, for the dialog that tells of it.
+void Canvas::Impl::pictureDocument() {
+  if (atelier->dialog != Dialog::recovered || interface->pictures.document) return;
+  Shot shot = documentShot();
+  shot.width = 400;
+  shot.height = 300;
+  interface->pictures.document = asTexture(draw(shot, nullptr));
+}
+
+Shot Canvas::Impl::documentShot() const {
+  Shot shot;
+  shot.camera = atelier->viewFrame().camera;
+  shot.stage = atelier->viewFrame().stage;
+  return shot;
 }
 
 // Pictures of tools on the shelf, each once; those nobody shows any more go.
@@ -188,7 +256,7 @@ void Canvas::Impl::uploadTools() {
   });
   for (const ShelfCard& card : cards) {
     if (!card.picture || card.picture->empty() || pictures.contains(card.pictureId)) continue;
-    pictures[card.pictureId] = asTexture(textureOf(*card.picture, card.entry.name));
+    pictures[card.pictureId] = asTexture(textureOf(*card.picture, card.entry.name, Rows::fromTop));
   }
 }
 
@@ -269,6 +337,8 @@ bool Canvas::draw(Publication fresh, glm::dvec2 size) {
     c.fontsVersion = c.interface->fontsVersion();
   }
   if (c.atelier->shelf.open) c.uploadTools();
+  c.takePictures(fresh);
+  if (fresh.status) c.forgetSteps();
   c.waiting.add(std::move(fresh));
   const std::size_t patches = c.upload();
   c.uploadSolid();
@@ -278,7 +348,10 @@ bool Canvas::draw(Publication fresh, glm::dvec2 size) {
   frame.place = {int(at.low.x), int(size.y - at.high.y), int(at.width()), int(at.height())};
   c.viewport->fixQuality(c.atelier->options.quality);
   const FrameReport report = c.viewport->draw(frame, c.atelier->overlays());
-  if (!status.inStroke && status.isLit && !hasUploads()) c.pictureStep();
+  if (!status.inStroke && status.isLit && !hasUploads()) {
+    c.pictureStep();
+    c.pictureDocument();
+  }
   c.interface->figures.viewport = report;
   c.interface->figures.uploadedPatches = patches;
   glViewport(0, 0, int(size.x), int(size.y));
@@ -298,19 +371,12 @@ Image Canvas::readBack(glm::dvec2 size) {
 }
 
 Bytes Canvas::thumbnail() {
-  Shot shot;
-  shot.camera = impl_->atelier->viewFrame().camera;
-  shot.stage = impl_->atelier->viewFrame().stage;
+  Shot shot = impl_->documentShot();
   shot.width = 240;
   shot.height = 180;
-  Look look = impl_->atelier->options.look;
-  look.detail = Detail::baked;
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  const Target target(shot.width, shot.height);
-  impl_->renderer.draw(shot, look);
-  const Image image = readBack({shot.width, shot.height});
-  glBindFramebuffer(GL_FRAMEBUFFER, GLuint(bound));
+  Image image;
+  const GLuint drawn = impl_->draw(shot, &image);
+  glDeleteTextures(1, &drawn);
   return encodePng(image);
 }
 

@@ -1,46 +1,12 @@
 #include "ui/clay_desk.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "bozzetto/base/file.hpp"
-#include "bozzetto/io/mesh_file.hpp"
-#include "bozzetto/mesh/decimate.hpp"
-#include "bozzetto/solid/solid_codec.hpp"
 #include "bozzetto/surface/statistics.hpp"
-#include "bozzetto/surface/welded.hpp"
-#include "ui/sculpt_state.hpp"
+#include "ui/clay_desk_saving.hpp"
 
 namespace bozzetto::ui {
-namespace {
-
-constexpr double kNewRadius = 48;  // world units = cells of a new scene
-
-template <class T>
-void replaceIf(std::optional<T>& old, std::optional<T>& later) {
-  if (later) old = std::move(later);
-}
-
-std::size_t bytesOf(const std::map<Key, PatchRef>& patches) {
-  std::size_t bytes = 0;
-  for (const auto& [key, patch] : patches) bytes += patch ? patch->uploadBytes() : 0;
-  return bytes;
-}
-
-// Empty for operations that are no step of history.
-std::string titleOf(const Operation& operation) {
-  std::string name(nameOf(operation));
-  for (const char* none :
-       {"undo", "redo", "scene", "tool", "action", "clay", "support", "support_move",
-        "support_drop", "solid_probe", "shelf_keep", "shelf_rename", "shelf_drop"})
-    if (name == none) return "";
-  std::ranges::replace(name, '_', ' ');
-  name[0] = char(std::toupper(static_cast<unsigned char>(name[0])));
-  return name;
-}
-
-}  // namespace
 
 // Notices become notes in the window.
 class ClayDesk::Telling : public Progress {
@@ -54,137 +20,37 @@ class ClayDesk::Telling : public Progress {
   ClayDesk* desk_;
 };
 
-bool Publication::empty() const {
-  return !cleared && fine.empty() && coarse.empty() && !floor && !status && !statistics &&
-         !opened && !shelf && !taken && !solid && notes.empty() && errors.empty();
-}
-
-void Publication::add(Publication later) {
-  if (later.cleared) {
-    cleared = true;
-    fine.clear();
-    coarse.clear();
-  }
-  for (auto& [key, patch] : later.fine) fine[key] = std::move(patch);
-  for (auto& [key, patch] : later.coarse) coarse[key] = std::move(patch);
-  replaceIf(floor, later.floor);
-  replaceIf(status, later.status);
-  replaceIf(statistics, later.statistics);
-  replaceIf(opened, later.opened);
-  replaceIf(shelf, later.shelf);
-  replaceIf(taken, later.taken);
-  replaceIf(solid, later.solid);
-  for (std::string& text : later.notes) notes.push_back(std::move(text));
-  for (std::string& text : later.errors) errors.push_back(std::move(text));
-}
-
-std::size_t Publication::uploadBytes() const { return bytesOf(fine) + bytesOf(coarse); }
-
-ClayDesk::ClayDesk() { lay({}); }
-
-// Puts another document on the desk.
-void ClayDesk::lay(Document document) {
-  stroke_.reset();
-  sculptor_ = std::make_unique<Sculptor>(std::move(document.field), SurfaceUpkeep::afterEachDab);
-  sculptor_->tools().shelf = document.parts.shelf;
-  sculptor_->place(document.parts.supports);
-  sculptor_->place(decodeSolid(document.parts.solid, "the scene"));
-  dresser_ = std::make_unique<Dresser>();
-  parts_ = std::move(document.parts);
-  recording_ = {};
-  heldTool_ = heldAction_ = heldClay_ = "";
-  titles_.clear();
-  const std::uint64_t version = status_.version + 1;
-  status_ = {};
-  status_.version = status_.savedVersion = version;
-  out_.opened = parts_;
-  showAll();
-}
-
-void ClayDesk::startNew(NewClay kind) {
-  file_ = SceneFile();
-  lay({});
-  Primitive primitive;
-  primitive.radii = glm::dvec3(kNewRadius);
-  if (kind == NewClay::block) {
-    primitive.shape = Shape::box;
-    primitive.radii *= 0.8;
-  }
-  if (kind != NewClay::empty) apply(FillOperation{primitive});
-  status_.savedVersion = status_.version;
-  tellStatus();
-}
-
-void ClayDesk::open(const std::filesystem::path& path, Progress& progress) {
-  lay(file_.load(path, progress));
-}
-
-void ClayDesk::import(const std::filesystem::path& path, const ImportOptions& options,
-                      Progress& progress) {
-  const TriangleMesh mesh = readMesh(path, progress);
-  Document document;
-  document.field.scale.spacing = importSpacing(mesh, options);
-  Edit<CornerBlock<8>> edit(document.field.tree);
-  const ImportReport report = voxelise(mesh, options, edit, progress);
-  edit.commit();
-  file_ = SceneFile();
-  lay(std::move(document));
-  status_.savedVersion = 0;
-  tellStatus();
-  if (report.openEdges > 0) note(fmt::format("{} open edges were closed", report.openEdges));
-}
-
-Document ClayDesk::documentWith(const SceneParts& parts) const {
-  Document document{sculptor_->field(), parts};
-  document.parts.identity = parts_.identity;
-  document.parts.shelf = sculptor_->tools().shelf;
-  document.parts.supports = sculptor_->clay().supports;
-  document.parts.solid = encodeSolid(sculptor_->solid());
-  return document;
-}
-
-void ClayDesk::saveNumbered(const std::filesystem::path& path, const SceneParts& parts,
-                            Progress& progress) {
-  Document copy = documentWith(parts);
-  copy.parts.identity = SceneIdentity::random();
-  note("Saved " + saveNumberedCopy(path, copy, progress).filename().string());
-}
-
-void ClayDesk::save(const std::filesystem::path& path, const SceneParts& parts,
-                    Progress& progress) {
-  Document document = documentWith(parts);
-  file_.save(path, document, progress);
-  parts_ = std::move(document.parts);
-  status_.savedVersion = status_.version;
-  tellStatus();
-}
-
-void ClayDesk::exportMesh(const std::filesystem::path& path, double keep, Progress& progress) {
-  meshFormatOf(path);
-  const TriangleMesh mesh = weld(sculptor_->surface(), sculptor_->field().scale);
-  writeMesh(path, keep < 1 ? decimate(mesh, keep) : mesh, progress);
-}
-
 void ClayDesk::apply(const Operation& operation, Progress& progress) {
   cancelStroke();
+  settleHand();
+  status_.lastEdit = {};
+  status_.lastEditStep = 0;
+  const StepNumber newest = newestStep();
   heldTool_ = heldAction_ = heldClay_ = "";  // some operations change the hand
   Telling telling(progress, *this);
-  status_.last = sculptor_->apply(operation, telling);
+  status_.last = bench().apply(operation, telling);
   recording_.operations.push_back(operation);
   ++status_.version;
-  nameSteps({titleOf(operation), std::nullopt, 0});
+  if (newestStep() != newest) status_.lastEditStep = history().place();
   show();
+}
+
+StepNumber ClayDesk::newestStep() const {
+  const auto& steps = status_.history->steps;
+  return std::max(steps.empty() ? 0 : steps.back().number, history().place());
 }
 
 void ClayDesk::relax(const ClayOperation& settings, int steps, Progress& progress) {
   cancelStroke();
+  settleHand();
   holdOne(settings, heldClay_);
   apply(RelaxOperation{steps}, progress);
   account();
 }
 
 void ClayDesk::moveSupport(const SupportMoveOperation& move) {
-  sculptor_->apply(move);
+  settleHand();
+  bench().apply(move);
   auto& operations = recording_.operations;
   const auto* before =
       operations.empty() ? nullptr : std::get_if<SupportMoveOperation>(&operations.back());
@@ -199,23 +65,11 @@ void ClayDesk::account() {
   status_.drift += status_.last.massAfter - status_.last.massBefore;
 }
 
-// A step that was just made takes the place of those that had been undone.
-void ClayDesk::nameSteps(StepLine title) {
-  const auto& history = sculptor_->history();
-  const std::size_t done = history.undoDepth(), count = done + history.redoDepth();
-  if (history.redoDepth() == 0 && done > 0 && !title.label.empty()) {
-    title.id = ++lastStep_;
-    titles_.resize(done - 1);
-    titles_.push_back(std::move(title));
-  }
-  titles_.resize(count);
-}
-
 // Strokes take what the hand holds; it is told only when it changes.
 void ClayDesk::holdOne(const Operation& wanted, std::string& held) {
   std::string text = toText(wanted);
   if (text == held) return;
-  sculptor_->apply(wanted);
+  bench().apply(wanted);
   recording_.operations.push_back(wanted);
   held = std::move(text);
 }
@@ -228,8 +82,9 @@ void ClayDesk::hold(const HandOperations& hand) {
 
 void ClayDesk::beginStroke(const HandOperations& hand, Stroke stroke) {
   cancelStroke();
+  settleHand();
   hold(hand);
-  stroke_ = sculptor_->begin(std::move(stroke));
+  stroke_ = bench().begin(std::move(stroke));
   status_.inStroke = true;
   status_.lastEdit = {};
   status_.lastEditStep = 0;
@@ -253,10 +108,8 @@ void ClayDesk::endStroke() {
   stroke_.reset();
   status_.inStroke = false;
   ++status_.version;
-  const ActionKind action = sculptor_->action().kind;
-  if (movesClay(action)) account();
-  nameSteps({std::string(rowOf(action).title), action, 0});
-  status_.lastEditStep = lastStep_;
+  if (movesClay(sculptor().action().kind)) account();
+  status_.lastEditStep = history().place();
   show();
 }
 
@@ -265,6 +118,33 @@ void ClayDesk::cancelStroke() {
   stroke_.reset();
   status_.inStroke = false;
   show();
+}
+
+// Another state that was looked at makes room for ours.
+void ClayDesk::settleHand() { peek(std::nullopt); }
+
+void ClayDesk::peek(std::optional<StepNumber> step) {
+  if (!step && !ownPlace_) return;
+  if (stroke_) return;
+  const StepNumber own = ownPlace_.value_or(history().place());
+  const StepNumber target = step.value_or(own);
+  if (step) ownPlace_ = own;
+  if (target != history().place()) status_.last = bench().apply(GoToOperation{target});
+  if (!step) ownPlace_.reset();
+  status_.peek = step;
+  show();
+}
+
+void ClayDesk::compare(StepNumber step) {
+  cancelStroke();
+  settleHand();
+  const Clay then = bench().history().fieldAt(step, sculptor().field());
+  const Clay& now = sculptor().field();
+  out_.comparison = Comparison{step, bozzetto::compare(then, now), then.scale, now.scale};
+}
+
+void ClayDesk::keepPicture(StepNumber step, Bytes png) {
+  bench().history().setThumbnail(step, std::move(png));
 }
 
 void ClayDesk::saveRecording(const std::filesystem::path& path) const {
@@ -292,25 +172,26 @@ void ClayDesk::put(std::vector<UnpackedPatch> patches) {
 }
 
 void ClayDesk::showAll() {
-  sculptor_->takeChanges();
+  bench().takeChanges();
   out_.cleared = true;
   out_.fine.clear();
   out_.coarse.clear();
   if (structure_ == Structure::surface) {
-    put(dresser_->rebuild(sculptor_->field(), sculptor_->surface()));
+    put(dresser_->rebuild(sculptor().field(), sculptor().surface()));
   } else {
-    put(structurePatches(sculptor_->surface(), sculptor_->field(), structure_));
+    put(structurePatches(sculptor().surface(), sculptor().field(), structure_));
   }
-  bounds_ = dresser_->bounds(sculptor_->surface());
+  bounds_ = dresser_->bounds(sculptor().surface());
+  if (status_.lastEditStep != 0) status_.lastEdit = bounds_;
   rest_ = Rest::floor;
   tellStatus();
 }
 
 void ClayDesk::show() {
-  const SurfaceChanges changes = sculptor_->takeChanges();
+  const SurfaceChanges changes = bench().takeChanges();
   if (changes.all || structure_ != Structure::surface) return showAll();
   std::vector<UnpackedPatch> patches =
-      dresser_->refresh(sculptor_->field(), sculptor_->surface(), changes.blocks, changes.patches);
+      dresser_->refresh(sculptor().field(), sculptor().surface(), changes.blocks, changes.patches);
   for (const UnpackedPatch& patch : patches) status_.lastEdit.add(patch.bounds());
   bounds_.add(status_.lastEdit);
   put(std::move(patches));
@@ -319,17 +200,19 @@ void ClayDesk::show() {
 }
 
 void ClayDesk::tellStatus() {
-  status_.scale = sculptor_->field().scale;
+  status_.scale = sculptor().field().scale;
   status_.bounds = bounds_;
   if (!status_.inStroke) status_.stage = Stage::around(bounds_);
   status_.mass = status_.last.massAfter;
-  status_.clay = sculptor_->clay();
-  tellSolid(sculptor_->solid());
-  const auto& history = sculptor_->history();
-  status_.done = history.undoDepth();
+  status_.clay = sculptor().clay();
+  tellSolid(sculptor().solid());
   status_.isLit = rest_ != Rest::light;
   status_.operations = recording_.operations.size();
-  status_.steps = titles_;
+  if (!ownPlace_ && std::exchange(historyMoment_, history().moment()) != history().moment()) {
+    status_.history = std::make_shared<const HistoryView>(viewOf(history()));
+    status_.done = status_.history->done;
+  }
+  status_.keeping = keeping();
   out_.status = status_;
 }
 
@@ -342,13 +225,13 @@ bool ClayDesk::settle() {
   if (stroke_) return false;
   switch (rest_) {
     case Rest::light: {
-      std::vector<UnpackedPatch> better = dresser_->settle(sculptor_->surface());
+      std::vector<UnpackedPatch> better = dresser_->settle(sculptor().surface());
       if (better.empty()) rest_ = Rest::floor;
       put(std::move(better));
       return true;
     }
     case Rest::floor:
-      bounds_ = dresser_->bounds(sculptor_->surface());
+      bounds_ = dresser_->bounds(sculptor().surface());
       tellStatus();
       out_.floor = dresser_->floor(status_.stage, bounds_);
       rest_ = Rest::statistics;
@@ -358,7 +241,7 @@ bool ClayDesk::settle() {
       rest_ = Rest::pictures;
       return true;
     case Rest::pictures:
-      if (pictureNext()) return true;
+      if (loadPicture() || pictureNext()) return true;
       rest_ = Rest::nothing;
       break;
     case Rest::nothing:
@@ -367,11 +250,20 @@ bool ClayDesk::settle() {
   return false;
 }
 
+// Of steps from earlier days, the latest first.
+bool ClayDesk::loadPicture() {
+  if (pictureless_.empty()) return false;
+  const StepNumber step = pictureless_.back();
+  pictureless_.pop_back();
+  if (Bytes png = history().thumbnail(step); !png.empty()) out_.pictures[step] = std::move(png);
+  return true;
+}
+
 ClayStatistics ClayDesk::count() const {
   ClayStatistics counted;
-  const Clay& field = sculptor_->field();
+  const Clay& field = sculptor().field();
   counted.field = statistics(field);
-  const SurfaceStatistics surface = statistics(sculptor_->surface(), field);
+  const SurfaceStatistics surface = statistics(sculptor().surface(), field);
   counted.cubes = surface.cubes;
   counted.crossingCubes = surface.crossingCubes;
   counted.edges = surface.edges;

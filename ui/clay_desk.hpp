@@ -1,108 +1,48 @@
-// Where the clay is worked on, off the window's thread: the sculptor, its file, and what the window
-// is to be shown. Not thread-safe: ClayWorker calls it from its one thread; tests call it directly.
+// Where the clay is worked on, off the window's thread: the session with its file and history, and
+// what the window is to be shown. Not thread-safe: ClayWorker calls it from its one thread; tests
+// call it directly.
 #pragma once
-#include <filesystem>
-#include <map>
+#include <chrono>
 #include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "bozzetto/io/voxelise.hpp"
-#include "bozzetto/render/dresser.hpp"
 #include "bozzetto/render/structure.hpp"
-#include "bozzetto/scene/scene_file.hpp"
+#include "bozzetto/scene/background_save.hpp"
 #include "bozzetto/sculptor/recording.hpp"
-#include "bozzetto/sculptor/sculptor.hpp"
-#include "ui/freeform.hpp"
-#include "ui/patch_set.hpp"
-#include "ui/solid_shown.hpp"
+#include "ui/publication.hpp"
 
 namespace bozzetto::ui {
 
-/// One line of the history list.
-struct StepLine {
-  std::string label;
-  std::optional<ActionKind> action;  ///< of a stroke
-  std::uint64_t id = 0;              ///< never used twice
-};
-
-/// What the window knows of the clay: small values, copied with every publication.
-struct ClayStatus {
-  FieldScale scale;
-  CellBounds bounds;  ///< of the surface, cells
-  Stage stage;
-  double mass = 0;
-  std::vector<StepLine> steps;
-  std::size_t done = 0;       ///< of the steps; the rest can be redone
-  std::uint64_t version = 0;  ///< grows with every change of the clay
-  std::uint64_t savedVersion = 0;
-  OperationReport last;            ///< of the last operation
-  clay::Setup clay;                ///< what strokes that move clay meet
-  std::size_t movedSteps = 0;      ///< strokes that moved clay, and relaxations, since opened
-  double drift = 0;                ///< of the mass, over these
-  CellBounds lastEdit;             ///< cells
-  std::uint64_t lastEditStep = 0;  ///< the step that it belongs to
-  bool isLit = false;              ///< nothing waits for better light
-  std::size_t operations = 0;      ///< recorded since the scene was opened
-  bool inStroke = false;
-};
-
-/// Counted when the clay has come to rest.
-struct ClayStatistics {
-  FieldStatistics field;
-  std::int64_t cubes = 0, crossingCubes = 0, edges = 0, triangles = 0, components = 0;
-  double volume = 0, area = 0;  ///< world units
-};
-
-/// How the solid is to be shown.
-struct SolidWish {
-  SolidMap map = SolidMap::none;
-  Colour colour;
-};
-
-/// What strokes take.
-struct HandOperations {
-  ToolOperation tool;
-  ActionOperation action;
-  ClayOperation clay;  ///< for actions that move clay
-};
-
-/// What changed since the last publication.
-struct Publication {
-  bool cleared = false;                  ///< forget all patches first
-  std::map<Key, PatchRef> fine, coarse;  ///< by first corner; null: gone
-  std::optional<FloorOcclusion> floor;
-  std::optional<ClayStatus> status;
-  std::optional<ClayStatistics> statistics;
-  std::optional<SceneParts> opened;  ///< another document is on the desk
-  std::optional<std::vector<ShelfCard>> shelf;
-  std::optional<std::shared_ptr<const SolidShown>> solid;  ///< null: there is none
-  std::optional<Freeform> taken;                           ///< from a shelf
-  std::vector<std::string> notes, errors;
-
-  bool empty() const;
-  /// Puts a later one on top.
-  void add(Publication later);
-  std::size_t uploadBytes() const;
-};
+enum class ShelfPictures { none, made };
 
 enum class NewClay { empty, ball, block };
 
-enum class ShelfPictures { none, made };
-
 class ClayDesk {
  public:
-  ClayDesk();
+  /// Nothing but air, in memory only.
+  explicit ClayDesk(FileSystem& files = FileSystem::real());
+  /// Finishes a save. What was not saved stays in the journal, as after a crash; see `leave`.
+  ~ClayDesk();
+  ClayDesk(const ClayDesk&) = delete;
+  ClayDesk& operator=(const ClayDesk&) = delete;
 
-  // Documents. Each throws Error and leaves the desk as it was.
-  void startNew(NewClay kind);
+  // Documents. Each throws Error and leaves something sound on the desk.
+  /// Without a name it lives in the user's state folder until it gets one.
+  void startNew(NewClay kind, const std::filesystem::path& path = {});
+  /// As of the last thing that happened to it, saved or not.
   void open(const std::filesystem::path& path, Progress& progress);
-  void import(const std::filesystem::path& path, const ImportOptions& options, Progress& progress);
-  void save(const std::filesystem::path& path, const SceneParts& parts, Progress& progress);
+  void import(const ImportOperation& operation, Progress& progress);
+  /// In the background; the publication tells how it went. Throws where it cannot even begin.
+  void save(const std::filesystem::path& path, const SceneParts& parts);
   /// A copy beside `path`; we go on with the file we have.
   void saveNumbered(const std::filesystem::path& path, const SceneParts& parts, Progress& progress);
   void exportMesh(const std::filesystem::path& path, double keep, Progress& progress);
+  /// The user wants none of what was not saved.
+  void discard();
+  /// The user goes: nothing stays behind of a document that nobody worked on.
+  void leave();
+  /// Tells of work without a name that was left behind, the latest first. What was only begun goes.
+  void findLeftBehind();
+  void discardLeftBehind(const std::filesystem::path& path);
 
   // Operations.
   void apply(const Operation& operation, Progress& progress = Progress::none());
@@ -112,6 +52,14 @@ class ClayDesk {
   bool dab();
   void endStroke();
   void cancelStroke();
+
+  // History.
+  /// How the clay of that state differs from ours.
+  void compare(StepNumber step);
+  /// Shows another state until the next call, or until anything else happens. Nothing: ours again.
+  void peek(std::optional<StepNumber> step);
+  /// A picture that was drawn when there was time.
+  void keepPicture(StepNumber step, Bytes png);
 
   /// With these settings from now on.
   void relax(const ClayOperation& settings, int steps, Progress& progress);
@@ -146,19 +94,36 @@ class ClayDesk {
   /// A piece of the work that waits until nothing else is to do (better light, statistics); false
   /// when all is done.
   bool settle();
+  /// Looks what has become of saves and the journal.
+  void lookAfter();
+  /// When to do that again, though nothing else happens; nothing when there is no need.
+  std::optional<std::chrono::milliseconds> patience() const;
+  /// A save, or steps that are not on the disk yet.
+  bool isWaiting() const;
 
   /// What changed since the last call.
   Publication take();
 
-  const Sculptor& sculptor() const { return *sculptor_; }
+  const Sculptor& sculptor() const { return session_->sculptor(); }
   const Recording& recording() const { return recording_; }
+  const Session& session() const { return *session_; }
   void note(std::string text) { out_.notes.push_back(std::move(text)); }
   void fail(std::string text) { out_.errors.push_back(std::move(text)); }
 
  private:
+  struct Saving;
   class Telling;
-  Document documentWith(const SceneParts& parts) const;
-  void lay(Document document);
+
+  Sculptor& bench() { return session_->sculptor(); }
+  const History<8>& history() const { return sculptor().history(); }
+  SessionOptions options() const;
+  void give(const SceneParts& parts);
+  void endSaving();
+  bool isModified() const;
+  void lay(Session session);
+  void putAway();
+  void settleHand();
+  StepNumber newestStep() const;
   void show();
   void showAll();
   void put(std::vector<UnpackedPatch> patches);
@@ -169,18 +134,20 @@ class ClayDesk {
   void picture(ShelfCard& card);
   bool pictureNext();
   void tellStatus();
-  void nameSteps(StepLine title);
+  Keeping keeping() const;
+  bool loadPicture();
   ClayStatistics count() const;
 
-  std::unique_ptr<Sculptor> sculptor_;
+  FileSystem* files_;
+  std::unique_ptr<Session> session_;  // never null
   std::unique_ptr<LiveStroke<8>> stroke_;
+  std::unique_ptr<Saving> saving_;
   std::unique_ptr<Dresser> dresser_;
-  SceneParts parts_;
-  SceneFile file_;
+  /// The state that nobody has worked on: the first shape of a new document.
+  std::optional<StepNumber> begun_;
+  std::optional<StepNumber> ownPlace_;  // while another state is looked at
+  std::vector<StepNumber> pictureless_;
   Recording recording_;
-  ClayStatus status_;
-  std::vector<StepLine> titles_;  // of the history's steps
-  std::uint64_t lastStep_ = 0;
   std::string heldTool_, heldAction_, heldClay_;  // operations last told; empty: not known
   std::vector<ShelfCard> cards_;
   SolidWish solidWish_;
@@ -188,6 +155,8 @@ class ClayDesk {
   double solidSpacing_ = 0;
   ShelfPictures pictures_ = ShelfPictures::none;
   std::map<std::string, std::shared_ptr<const Bytes>> starterPictures_;
+  ClayStatus status_;
+  std::uint64_t historyMoment_ = 0;
   Publication out_;
   CellBounds bounds_;  // of all patches
   Structure structure_ = Structure::surface;

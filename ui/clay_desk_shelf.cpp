@@ -25,7 +25,7 @@ void setPicture(ShelfCard& card, std::shared_ptr<const Bytes> picture) {
 
 void ClayDesk::listShelf() {
   cards_.clear();
-  const ToolLibrary& tools = sculptor_->tools();
+  const ToolLibrary& tools = bench().tools();
   for (ToolEntry& entry : tools.list()) {
     ShelfCard card{std::move(entry), nullptr, 0};
     if (card.entry.place == ToolEntry::Place::document) {
@@ -51,7 +51,7 @@ void ClayDesk::picture(ShelfCard& card) {
   ShelfTool tool;
   switch (card.entry.place) {
     case ToolEntry::Place::document:
-      tool = sculptor_->tools().find(card.entry.name);
+      tool = bench().tools().find(card.entry.name);
       break;
     case ToolEntry::Place::user:
       tool = loadTool(userFile(card.entry.name));
@@ -64,7 +64,7 @@ void ClayDesk::picture(ShelfCard& card) {
                                                                    : tool.thumbnail);
   if (card.entry.place == ToolEntry::Place::starter) starterPictures_[card.entry.name] = made;
   if (card.entry.place == ToolEntry::Place::document) {
-    auto& shelf = sculptor_->tools().shelf;
+    auto& shelf = bench().tools().shelf;
     std::ranges::find(shelf, card.entry.name, &ShelfItem::name)->thumbnail = *made;
   }
   setPicture(card, std::move(made));
@@ -85,13 +85,13 @@ bool ClayDesk::pictureNext() {
 }
 
 void ClayDesk::takeTool(const ToolSource& source) {
-  ToolLibrary& tools = sculptor_->tools();
+  ToolLibrary& tools = bench().tools();
   const ShelfTool tool = tools.load(source);
   out_.taken = freeformOf(tool, source, tools.sculpture(source));
 }
 
 void ClayDesk::shareTool(const std::string& name, const fs::path& path) {
-  ShelfTool tool = sculptor_->tools().find(name);
+  ShelfTool tool = bench().tools().find(name);
   if (tool.thumbnail.empty()) tool.thumbnail = thumbnailOf(tool.clay);
   saveTool(path, tool);
   note("Saved " + path.filename().string());
@@ -107,7 +107,7 @@ void ClayDesk::dropUserTool(const std::string& name) {
   std::error_code failed;
   if (!fs::remove(userFile(name), failed))
     throw Error(userFile(name).string() + ": could not be deleted");
-  sculptor_->tools().forget();
+  bench().tools().forget();
   listShelf();
 }
 

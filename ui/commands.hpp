@@ -105,6 +105,7 @@ enum class Command {
   wireframe,
   workspaceBox,
   fitBox,
+  history,
   panels,
   shelf,
   fullScreen,

@@ -229,6 +229,26 @@ void drawChevron(ImDrawList* list, ImVec2 centre, bool open, ImU32 colour) {
   list->PathStroke(colour, 0, px(1.5f));
 }
 
+void drawTree(ImDrawList* list, ImVec2 centre, ImU32 colour) {
+  const float x = centre.x - px(4), branch = centre.x + px(5), r = px(2.4f), w = px(1.5f);
+  const float top = centre.y - px(8), bottom = centre.y + px(8);
+  list->AddLine({x, top + r}, {x, bottom - r}, colour, w);
+  list->PathLineTo({x, bottom - px(5)});
+  list->PathBezierCubicCurveTo({x, centre.y}, {branch, centre.y + px(3)},
+                               {branch, centre.y - px(1.5f)});
+  list->PathStroke(colour, 0, w);
+  for (const ImVec2 at : {ImVec2(x, top), ImVec2(x, bottom), ImVec2(branch, centre.y - px(4))}) {
+    list->AddCircleFilled(at, r, colour, 16);
+  }
+}
+
+void drawCompare(ImDrawList* list, ImVec2 centre, ImU32 colour) {
+  list->AddCircle({centre.x - px(2.6f), centre.y}, px(4.6f), colour, 24, px(1.4f));
+  list->AddCircleFilled({centre.x + px(2.6f), centre.y}, px(4.6f), (colour & 0xFFFFFF) | 0x70000000,
+                        24);
+  list->AddCircle({centre.x + px(2.6f), centre.y}, px(4.6f), colour, 24, px(1.4f));
+}
+
 void drawMirror(ImDrawList* list, ImVec2 centre, ImU32 colour) {
   const float u = px(1);
   const auto at = [&](float x, float y) { return ImVec2(centre.x + x * u, centre.y + y * u); };

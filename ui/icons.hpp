@@ -26,6 +26,10 @@ float mouseWidth(float height);
 enum class Turn { undo, redo };
 void drawTurn(ImDrawList* list, ImVec2 centre, Turn turn, ImU32 colour);
 void drawChevron(ImDrawList* list, ImVec2 centre, bool open, ImU32 colour);
+/// A line of steps with a branch.
+void drawTree(ImDrawList* list, ImVec2 centre, ImU32 colour);
+/// Two rounds that overlap: this against that.
+void drawCompare(ImDrawList* list, ImVec2 centre, ImU32 colour);
 void drawMirror(ImDrawList* list, ImVec2 centre, ImU32 colour);
 /// A small pen: what pressure drives.
 void drawPen(ImDrawList* list, ImVec2 at, ImU32 colour);

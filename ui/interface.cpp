@@ -205,9 +205,11 @@ void Interface::build() {
   }
   drawAxisBall(context);
   drawHistoryStrip(context);
+  drawHistoryPanel(context);
   drawPalette(context);
   drawProgress(context);
   drawDialogs(context);
+  drawRecovery(context);
   drawHelp(context);
   drawMessages(context);
 }

@@ -1,4 +1,4 @@
-// Sections of the properties panel: the clay in numbers, its history, what frames and dabs cost.
+// Sections of the properties panel: the clay in numbers, what frames and dabs cost.
 #include <fmt/format.h>
 
 #include "ui/panels.hpp"
@@ -44,30 +44,6 @@ void claySection(Atelier& atelier) {
     atelier.resample(wanted);
   }
   ImGui::EndDisabled();
-}
-
-void historySection(Atelier& atelier) {
-  const ClayStatus& status = atelier.status();
-  const auto line = [&](std::size_t done, const std::string& text) {
-    ImGui::PushID(int(done));
-    const bool current = status.done == done;
-    if (done > status.done) ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::faint));
-    if (ImGui::Selectable(text.c_str(), current)) atelier.goToStep(done);
-    if (done > status.done) ImGui::PopStyleColor();
-    if (current && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
-    ImGui::PopID();
-  };
-  ImGui::BeginChild("steps", {0, px(180)});
-  line(0, "As opened");
-  ImGuiListClipper clipper;
-  clipper.Begin(int(status.steps.size()));
-  while (clipper.Step()) {
-    for (int n = clipper.DisplayStart; n < clipper.DisplayEnd; ++n) {
-      const std::size_t at = std::size_t(n);
-      line(at + 1, fmt::format("{}  {}", n + 1, status.steps[at].label));
-    }
-  }
-  ImGui::EndChild();
 }
 
 void performanceSection(Atelier& atelier, const FrameFigures& figures) {

@@ -1,4 +1,4 @@
-// The strip over the status line: undo, the last steps, redo.
+// The strip over the status line: undo, the last steps, redo, and the way to all of them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,19 +25,30 @@ bool arrow(Atelier& atelier, Command command, ImVec2 centre) {
   return clicked;
 }
 
+void treeButton(Atelier& atelier, ImVec2 centre) {
+  const float r = px(14);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddLine({centre.x - r - px(5), centre.y - px(18)},
+                {centre.x - r - px(5), centre.y + px(18)}, ink(0xFFFFFF, .08f));
+  ImGui::SetCursorScreenPos({centre.x - r, centre.y - r});
+  if (ImGui::InvisibleButton("tree", {2 * r, 2 * r})) atelier.run(Command::history);
+  const bool lit = ImGui::IsItemHovered() || atelier.historyShown;
+  tooltip(atelier.keymap, Command::history);
+  drawTree(list, centre, ink(atelier.historyShown ? tint::accent : lit ? 0xFFFFFF : tint::text));
+}
+
 void stepCard(const PanelContext& context, std::size_t n, ImVec2 low, ImVec2 size) {
   Atelier& atelier = context.atelier;
-  const ClayStatus& status = atelier.status();
-  const bool current = n + 1 == status.done, ahead = n >= status.done;
-  const StepLine step = status.steps[n];
-  const auto found = context.pictures.steps.find(step.id);
-  const ImTextureID picture = found == context.pictures.steps.end() ? nullptr : found->second;
+  const HistoryView& history = *atelier.status().history;
+  const bool current = n + 1 == history.done, ahead = n >= history.done;
+  const StepLine step = *history.find(history.line[n]);
+  const ImTextureID picture = pictureOf(context, step.number);
   ImDrawList* list = ImGui::GetWindowDrawList();
   ImGui::SetCursorScreenPos(low);
   ImGui::PushID(int(n));
-  if (ImGui::InvisibleButton("step", size)) atelier.goToStep(n + 1);
+  if (ImGui::InvisibleButton("step", size)) atelier.goTo(step.number);
   const bool hovered = ImGui::IsItemHovered();
-  tooltip(fmt::format("{}. {}", n + 1, step.label));
+  tooltip(fmt::format("{}. {}", step.number, step.title));
   ImGui::PopID();
   const ImVec2 high{low.x + size.x, low.y + size.y};
   list->AddRectFilled(low, high, ink(hovered ? tint::hover : 0x26292E, ahead ? .5f : 1), px(5));
@@ -57,7 +68,7 @@ void stepCard(const PanelContext& context, std::size_t n, ImVec2 low, ImVec2 siz
     drawIcon(list, rowOf(*step.action).icon, {badge, px(picture ? 5.2f : 10.f)},
              {ink(tint::text, fade), ink(tint::accent, fade)});
   } else {
-    const std::string text = fitted(fonts().medium, step.label, size.x - px(8));
+    const std::string text = fitted(fonts().medium, step.title, size.x - px(8));
     drawText(list, fonts().medium,
              {(low.x + high.x - textWidth(fonts().medium, text)) / 2,
               (low.y + high.y - fonts().medium->FontSize) / 2},
@@ -67,18 +78,24 @@ void stepCard(const PanelContext& context, std::size_t n, ImVec2 low, ImVec2 siz
 
 }  // namespace
 
+ImTextureID pictureOf(const PanelContext& context, StepNumber step) {
+  const auto found = context.pictures.steps.find(step);
+  return found == context.pictures.steps.end() ? nullptr : found->second;
+}
+
 void drawHistoryStrip(const PanelContext& context) {
   Atelier& atelier = context.atelier;
-  const ClayStatus& status = atelier.status();
-  if (status.steps.empty() || !atelier.panelsShown || atelier.fullScreen) return;
+  const HistoryView& history = *atelier.status().history;
+  if (history.line.empty() || !atelier.panelsShown || atelier.fullScreen) return;
   const Rect& at = context.layout.viewport;
-  const float cardW = px(58), cardH = px(46), gap = px(6), pad = px(8), arrows = px(43);
+  const float cardW = px(58), cardH = px(46), gap = px(6), pad = px(8), arrows = px(43),
+              tree = px(34);
   const int room = int((at.width() - 2 * (arrows + pad) - px(120)) / (cardW + gap));
   const int most = std::clamp(room, 1, 8);
-  const int count = int(status.steps.size()), shown = std::min(count, most);
+  const int count = int(history.line.size()), shown = std::min(count, most);
   // The step we stand at is the last but one, where there are some ahead.
-  const int first = std::clamp(int(status.done) - shown + 1, 0, count - shown);
-  const float width = float(shown) * (cardW + gap) - gap + 2 * arrows + 2 * pad;
+  const int first = std::clamp(int(history.done) - shown + 1, 0, count - shown);
+  const float width = float(shown) * (cardW + gap) - gap + 2 * arrows + 2 * pad + tree;
   const float height = cardH + 2 * pad;
   const ImVec2 low{float(at.centre().x) - width / 2, float(at.high.y) - height - px(14)};
   ImGui::SetNextWindowPos(low);
@@ -93,9 +110,10 @@ void drawHistoryStrip(const PanelContext& context) {
   list->AddRect(low, high, ink(0xFFFFFF, .07f), px(10));
   const float middle = low.y + height / 2;
   arrow(atelier, Command::undo, {low.x + pad + px(15), middle});
-  arrow(atelier, Command::redo, {high.x - pad - px(15), middle});
+  arrow(atelier, Command::redo, {high.x - pad - tree - px(15), middle});
+  treeButton(atelier, {high.x - pad - px(14), middle});
   float x = low.x + pad + arrows;
-  for (int n = first; n < first + shown && n < int(atelier.status().steps.size()); ++n) {
+  for (int n = first; n < first + shown && n < int(atelier.status().history->line.size()); ++n) {
     stepCard(context, std::size_t(n), {x, low.y + pad}, {cardW, cardH});
     x += cardW + gap;
   }

@@ -22,13 +22,19 @@ void toolCard(const SculptState& sculpt, const ToolRow& row) {
   list->AddRectFilled(at, {at.x + width, at.y + px(66)}, ink(tint::card), px(9));
   list->AddRectFilled({at.x + px(7), at.y + px(7)}, {at.x + px(59), at.y + px(59)},
                       ink(tint::accent), px(8));
-  drawIcon(list, row.icon, {{at.x + px(33), at.y + px(33)}, px(14)},
-           {ink(0xFFFFFF), ink(tint::onAccent)});
-  drawText(list, fonts().display, {at.x + px(72), at.y + px(12)}, ink(0xF4F4F5),
-           std::string(row.title));
-  drawText(list, fonts().medium, {at.x + px(72), at.y + px(37)}, ink(tint::dim),
-           fitted(fonts().medium, fmt::format("{}  ·  {}", shapeName(sculpt), row.what),
-                  width - px(80)));
+  std::string title(row.title), what(row.what);
+  if (sculpt.recall) {
+    drawTurn(list, {at.x + px(33), at.y + px(33)}, Turn::undo, ink(0xFFFFFF));
+    title = "Bring back";
+    what = fmt::format("clay as of step {}", *sculpt.recall);
+  } else {
+    drawIcon(list, row.icon, {{at.x + px(33), at.y + px(33)}, px(14)},
+             {ink(0xFFFFFF), ink(tint::onAccent)});
+  }
+  drawText(list, fonts().display, {at.x + px(72), at.y + px(12)}, ink(0xF4F4F5), title);
+  drawText(
+      list, fonts().medium, {at.x + px(72), at.y + px(37)}, ink(tint::dim),
+      fitted(fonts().medium, fmt::format("{}  ·  {}", shapeName(sculpt), what), width - px(80)));
   ImGui::Dummy({width, px(66)});
 }
 
@@ -99,11 +105,11 @@ void toolSection(Atelier& atelier) {
   Slide size{kSmallestToolCells * cell, 128 * cell, "mm", 1, sculpt.size < 10 ? 2 : 1, true};
   size.pen = sculpt.pressureSize;
   slider("Size", sculpt.size, size, "The tool's limit of influence. F drags it, [ and ] step it.");
-  if (row.usesStrength) {
+  if (row.usesStrength || sculpt.recall) {
     Slide strength{0.01, 1, "%", 100, 0};
     strength.pen = sculpt.pressureStrength;
-    slider("Strength", sculpt.strengthOf(sculpt.action), strength,
-           "How much every dab does. Shift+F drags it.");
+    slider("Strength", sculpt.recall ? sculpt.recallStrength : sculpt.strengthOf(sculpt.action),
+           strength, "How much every dab does. Shift+F drags it.");
   }
   slider("Spacing", sculpt.spacing, {0.05, 8, "%", 100, 0, true},
          "Between dabs, as part of the tool's smallest radius.");
@@ -196,7 +202,6 @@ void drawProperties(const PanelContext& context) {
   if (!solid && section("Supports", false)) supportSection(atelier);
   if (section("Mass", false)) ledgerSection(atelier);
   if (section("Clay")) claySection(atelier);
-  if (section("History", false)) historySection(atelier);
   if (section("Performance", false)) performanceSection(atelier, context.figures);
   ImGui::End();
 }

@@ -90,7 +90,10 @@ std::vector<Hint> restingHints(const Atelier& atelier) {
   if (blender && held.alt) {
     hints.push_back({"", MousePart::left, "Orbit"});
   } else {
-    hints.push_back({"", MousePart::left, turns ? "Orbit" : verb(atelier.actionNow())});
+    const bool recalls = sculpt.recall && atelier.actionNow() == sculpt.action;
+    const std::string does =
+        recalls ? fmt::format("Bring back step {}", *sculpt.recall) : verb(atelier.actionNow());
+    hints.push_back({"", MousePart::left, turns ? "Orbit" : does});
   }
   if (held.none()) {
     const ActionKind inverse = rowOf(sculpt.action).inverse;
@@ -123,13 +126,18 @@ float drawHint(ImDrawList* list, const Hint& hint, float x, float y) {
 }
 
 std::string savedText(const Atelier& atelier) {
+  const Keeping& keeping = atelier.status().keeping;
+  if (keeping.saving) return fmt::format("saving {:.0f} %", *keeping.saving * 100);
+  if (keeping.readOnly) return "read-only: open elsewhere";
+  if (!keeping.trouble.empty()) return "steps are not kept: " + keeping.trouble;
   if (!atelier.isModified() && !atelier.path().empty()) {
     if (atelier.savedAt() < 0) return "saved";
     const double ago = atelier.now() - atelier.savedAt();
     return ago < 60 ? fmt::format("saved {:.0f} s ago", ago)
                     : fmt::format("saved {:.0f} min ago", ago / 60);
   }
-  return atelier.isModified() ? "not saved" : "";
+  if (!atelier.isModified()) return "";
+  return keeping.kept ? "not saved, every step kept" : "not saved";
 }
 
 std::string factText(const Atelier& atelier, bool wide) {

@@ -18,7 +18,7 @@ void toolCell(Atelier& atelier, const Cell& cell, float left, float top) {
   ImGui::PushID(int(cell.action));
   if (ImGui::InvisibleButton("tool", {side, side})) atelier.setTool(cell.action);
   const bool hovered = ImGui::IsItemHovered();
-  const bool chosen = atelier.sculpt.action == cell.action;
+  const bool chosen = atelier.sculpt.action == cell.action && !atelier.sculpt.recall;
   // What a held key makes of the tool lights up too.
   const bool meant = !chosen && atelier.actionNow() == cell.action;
   ImDrawList* list = ImGui::GetWindowDrawList();

@@ -34,8 +34,10 @@ bool isShown(const LookCard& card, const Look& look);
 /// Pictures that whoever draws has made; 0 where there is none.
 struct UiPictures {
   std::array<ImTextureID, kLookCards.size()> balls{};
-  std::map<std::uint64_t, ImTextureID> steps;  ///< by StepLine::id
-  std::map<std::uint64_t, ImTextureID> tools;  ///< by ShelfCard::pictureId
+  std::map<StepNumber, ImTextureID> steps;
+  std::map<std::filesystem::path, ImTextureID> left;  ///< of work that was left behind
+  ImTextureID document = nullptr;                     ///< of recovered work
+  std::map<std::uint64_t, ImTextureID> tools;         ///< by ShelfCard::pictureId
 };
 
 /// What the frame before took.
@@ -52,6 +54,9 @@ struct PanelContext {
   const FrameFigures& figures;
 };
 
+/// Null where there is none yet.
+ImTextureID pictureOf(const PanelContext& context, StepNumber step);
+
 void drawTopBar(const PanelContext& context);
 void drawToolColumn(const PanelContext& context);
 void drawShelf(const PanelContext& context);
@@ -60,6 +65,8 @@ void drawStatusLine(const PanelContext& context);
 void drawViewportMarks(const PanelContext& context);
 void drawAxisBall(const PanelContext& context);
 void drawHistoryStrip(const PanelContext& context);
+void drawHistoryPanel(const PanelContext& context);
+void drawRecovery(const PanelContext& context);
 void drawMessages(const PanelContext& context);
 void drawDialogs(const PanelContext& context);
 void drawProgress(const PanelContext& context);
@@ -88,7 +95,6 @@ void lightSection(Atelier& atelier);
 void viewSection(Atelier& atelier);
 void referenceSection(Atelier& atelier);
 void claySection(Atelier& atelier);
-void historySection(Atelier& atelier);
 void performanceSection(Atelier& atelier, const FrameFigures& figures);
 
 /// Runs and shows a command as a menu's line.

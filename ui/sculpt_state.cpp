@@ -122,6 +122,15 @@ ActionOptions SculptState::options(ActionKind kind) const {
   return made;
 }
 
+ActionOperation SculptState::operation(ActionKind kind) const {
+  const bool recalls = recall && kind == action;
+  ActionOperation operation{options(kind)};
+  if (!recalls) return operation;
+  operation.recall = recall;
+  operation.action.strength = recallStrength;
+  return operation;
+}
+
 Stroke SculptState::strokeFrom(const StrokePoint& first) const {
   Stroke stroke;
   stroke.points = {first};

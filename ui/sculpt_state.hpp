@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <glm/gtc/quaternion.hpp>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -86,6 +87,10 @@ struct SculptState {
   bool air = true;  ///< strokes may start in empty air
   EmptyDrag emptyDrag = EmptyDrag::sculpt;
 
+  /// Strokes bring back this state of the history instead of what the action does.
+  std::optional<StepNumber> recall;
+  double recallStrength = 0.7;
+
   double& strengthOf(ActionKind kind) { return strength[std::size_t(kind)]; }
   double strengthOf(ActionKind kind) const { return strength[std::size_t(kind)]; }
   glm::dvec3 radii() const { return proportions * size; }
@@ -103,6 +108,8 @@ struct SculptState {
   void take(const Freeform& taken, double cell);
   /// Lets go of the sculpture.
   void drop();
+  /// What strokes do with this kind, or with the past.
+  ActionOperation operation(ActionKind kind) const;
   /// A stroke that starts at this point.
   Stroke strokeFrom(const StrokePoint& first) const;
 

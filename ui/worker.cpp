@@ -120,12 +120,18 @@ bool ClayWorker::rest(ClayDesk& desk) {
   return more;
 }
 
-// The next task; nothing when it is time to end.
-std::optional<ClayWorker::Task> ClayWorker::next() {
+// The next task, an empty one when the desk wants to be looked after; nothing when it is time to
+// end.
+std::optional<ClayWorker::Task> ClayWorker::next(const ClayDesk& desk) {
   std::unique_lock lock(mutex_);
-  busy_ = false;
-  if (tasks_.empty() && resting_) settled_.notify_all();
-  work_.wait(lock, [this] { return stop_ || !tasks_.empty(); });
+  busy_ = desk.isWaiting();
+  if (tasks_.empty() && resting_ && !busy_) settled_.notify_all();
+  const auto due = [this] { return stop_ || !tasks_.empty(); };
+  if (const auto patience = desk.patience()) {
+    if (!work_.wait_for(lock, *patience, due)) return Task([](ClayDesk&) {});
+  } else {
+    work_.wait(lock, due);
+  }
   if (tasks_.empty()) return std::nullopt;
   Task task = std::move(tasks_.front());
   tasks_.pop_front();
@@ -138,7 +144,7 @@ void ClayWorker::run() {
   ClayDesk desk;
   publish(desk);
   Clock::time_point shown = Clock::now();
-  while (const std::optional<Task> task = next()) {
+  while (const std::optional<Task> task = next(desk)) {
     const std::string error = errorOf([&] {
       (*task)(desk);
       while (desk.dab()) {
@@ -148,6 +154,7 @@ void ClayWorker::run() {
       }
     });
     if (!error.empty()) desk.fail(error);
+    desk.lookAfter();
     publish(desk);
     shown = Clock::now();
     while (rest(desk)) {

@@ -65,7 +65,7 @@ class ClayWorker {
   void run();
   void publish(ClayDesk& desk);
   bool rest(ClayDesk& desk);
-  std::optional<Task> next();
+  std::optional<Task> next(const ClayDesk& desk);
 
   std::function<void()> wake_;
   mutable std::mutex mutex_;

@@ -62,8 +62,10 @@ std::optional<HistoryGlance> glanceAt(const std::filesystem::path& folder, FileS
   const undo::FolderListing listing = undo::listFolder(folder, *identity, files);
   HistoryGlance glance;
   glance.steps = listing.steps.size();
-  for (const auto& [number, head] : listing.steps) {
-    glance.time = std::max(glance.time, head.step.time);
+  if (glance.steps > 0) {
+    const Step& last = listing.steps.rbegin()->second.step;
+    glance.time = last.time;
+    glance.label = last.note.label;
   }
   for (auto step = listing.steps.rbegin(); step != listing.steps.rend() && glance.thumbnail.empty();
        ++step) {

@@ -238,9 +238,9 @@ SaveReport Session::saveAs(const fs::path& scene, Progress& progress) {
 void Session::goOnAs(const fs::path& scene, const Document& document) {
   const fs::path old = path_;
   const bool wasNamed = named_;
+  if (old != scene) bringHistoryTo(historyFolderOf(scene), document);
   path_ = scene;
   named_ = true;
-  if (old != scene) bringHistoryTo(historyFolderOf(scene), document);
   findings_.readOnly = false;
   markSaved(document);
   if (!wasNamed && !old.empty()) removeHistory(historyFolderOf(old), *options_.files);

@@ -71,7 +71,12 @@ void Workbench<Side>::keep(Edit<Block>& edit, const FieldScale& scale, Operation
   Bytes picture = takePicture ? takePicture() : Bytes();
   const Timer timer(report.msHistory);
   rememberSupports();
-  history_.push(std::move(delta), {report.op, before, scale}, nextSolid_, std::move(picture));
+  std::string label = report.op;
+  if (label == "stroke") {
+    label += hand.recall ? " recall" : " " + std::string(toText(hand.action.kind));
+  }
+  StepNote note{std::move(label), before, scale};
+  history_.push(std::move(delta), std::move(note), nextSolid_, std::move(picture));
 }
 
 // Those of the state we are about to leave.

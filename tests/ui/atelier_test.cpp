@@ -167,11 +167,18 @@ TEST_F(Null, savesOpensAndAsksBeforeItForgets) {
   tap(KeyCode::escape);
   settle();
   EXPECT_EQ(atelier_.dialog, Dialog::none);
+  post(CloseAsked{});
+  settle();
+  atelier_.answerUnsaved(false);
+  settle();
+  EXPECT_TRUE(atelier_.wantsToClose());
   atelier_.openScene(path);
   settle();
+  EXPECT_EQ(atelier_.dialog, Dialog::none) << "it was discarded";
   atelier_.worker().post([](ClayDesk& desk) { desk.apply(SceneOperation{}); });
   settle();
   EXPECT_NEAR(mass(), kept, 1e-6 * kept);
+  fs::remove_all(historyFolderOf(path));
 }
 
 TEST_F(Null, numberedCopiesLieBesideTheScene) {

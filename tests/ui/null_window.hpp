@@ -1,17 +1,30 @@
-// The window without a window: an atelier behind an interface that nobody draws.
+// A window that nobody draws: events in, clay out. Its documents without a name live in a folder of
+// the test's own.
 #pragma once
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <cstdlib>
 
+#include "support/folder.hpp"
 #include "ui/interface.hpp"
 
 namespace bozzetto::ui {
 
-/// An atelier behind an interface that nobody draws.
-class Null : public ::testing::Test {
- protected:
-  Null() : atelier_(Atelier::Options{}), interface_(atelier_) { settle(); }
+/// Where work without a name goes while this lives.
+class StateFolder {
+ public:
+  StateFolder() { ::setenv("XDG_STATE_HOME", folder_.path().c_str(), 1); }
+
+ private:
+  testing::Folder folder_;
+};
+
+class NullWindow {
+ public:
+  explicit NullWindow(const std::filesystem::path& scene = {})
+      : atelier_(Atelier::Options{scene, {}, [] {}}), interface_(atelier_) {
+    settle();
+  }
 
   void frame() {
     now_ += 1 / 60.0;
@@ -93,5 +106,8 @@ class Null : public ::testing::Test {
   double now_ = 0;
   std::size_t uploaded_ = 0;
 };
+
+/// One to a test.
+class Null : public ::testing::Test, protected StateFolder, protected NullWindow {};
 
 }  // namespace bozzetto::ui

@@ -8,6 +8,7 @@
 #include "bozzetto/render/offscreen.hpp"
 #include "bozzetto/render/png.hpp"
 #include "ui/canvas.hpp"
+#include "ui/null_window.hpp"
 
 namespace bozzetto::ui {
 namespace {
@@ -41,7 +42,7 @@ class Screen {
   GLuint framebuffer_ = 0, buffers_[2] = {};
 };
 
-class Offscreen : public ::testing::Test {
+class Offscreen : public ::testing::Test, protected StateFolder {
  protected:
   Offscreen() : atelier_(Atelier::Options{}), interface_(atelier_), canvas_(interface_, atelier_) {
     resize({1280, 800});
@@ -103,7 +104,8 @@ TEST_F(Offscreen, panelsHaveTheirColoursAndClayIsInTheMiddle) {
 }
 
 TEST_F(Offscreen, nothingIsMagenta) {
-  for (const Dialog dialog : {Dialog::none, Dialog::open, Dialog::help, Dialog::unsaved}) {
+  for (const Dialog dialog : {Dialog::none, Dialog::open, Dialog::help, Dialog::unsaved,
+                              Dialog::recovered, Dialog::leftBehind}) {
     atelier_.dialog = dialog;
     settle();
     const Image image = picture("dialog_" + std::to_string(int(dialog)));

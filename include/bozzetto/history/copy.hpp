@@ -33,6 +33,7 @@ void removeHistory(const std::filesystem::path& folder, FileSystem& files = File
 struct HistoryGlance {
   std::size_t steps = 0;
   std::int64_t time = 0;  ///< of the last step; milliseconds since 1970
+  std::string label;      ///< of the last step
   Bytes thumbnail;        ///< PNG of the last step that has one beside it; empty without
 };
 

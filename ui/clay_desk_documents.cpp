@@ -1,0 +1,228 @@
+// Documents on the desk: opened, saved in the background, left.
+#include <algorithm>
+#include <cmath>
+
+#include "bozzetto/io/mesh_file.hpp"
+#include "bozzetto/mesh/decimate.hpp"
+#include "bozzetto/surface/welded.hpp"
+#include "ui/clay_desk.hpp"
+#include "ui/clay_desk_saving.hpp"
+
+namespace bozzetto::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kNewRadius = 48;  // world units = cells of a new scene
+
+FillOperation firstShape(NewClay kind) {
+  Primitive primitive;
+  primitive.radii = glm::dvec3(kNewRadius);
+  if (kind == NewClay::block) {
+    primitive.shape = Shape::box;
+    primitive.radii *= 0.8;
+  }
+  return {primitive};
+}
+
+}  // namespace
+
+ClayDesk::ClayDesk(FileSystem& files) : files_(&files) {
+  session_ = std::make_unique<Session>(Session::inMemory(options()));
+  lay(std::move(*session_));
+}
+
+ClayDesk::~ClayDesk() {
+  stroke_.reset();
+  endSaving();
+}
+
+SessionOptions ClayDesk::options() const {
+  SessionOptions options;
+  options.upkeep = SurfaceUpkeep::afterEachDab;
+  options.files = files_;
+  return options;
+}
+
+// Puts another document on the desk; the old one has been put away.
+void ClayDesk::lay(Session session) {
+  session_ = std::make_unique<Session>(std::move(session));
+  dresser_ = std::make_unique<Dresser>();
+  recording_ = {};
+  heldTool_ = heldAction_ = heldClay_ = "";
+  begun_.reset();
+  ownPlace_.reset();
+  const std::uint64_t version = status_.version + 1;
+  status_ = {};
+  status_.version = version;
+  historyMoment_ = ~std::uint64_t{0};
+  pictureless_.clear();
+  for (const Step& step : history().steps()) pictureless_.push_back(step.number);
+  OpenedDocument opened{session_->parts, session_->findings()};
+  const auto saved = history().savedState();
+  opened.canGoBack = saved && *saved != history().place();
+  opened.surprising = opened.findings.recovered && !session_->path().empty();
+  out_.opened = std::move(opened);
+  for (const std::string& notice : session_->findings().notices) note(notice);
+  showAll();
+}
+
+// Nothing is on the desk then, but air.
+void ClayDesk::putAway() {
+  cancelStroke();
+  settleHand();
+  endSaving();
+  leave();
+  *session_ = Session::inMemory(options());
+}
+
+void ClayDesk::leave() {
+  cancelStroke();
+  settleHand();
+  endSaving();
+  if (!session_->saved() && !isModified()) discard();
+}
+
+void ClayDesk::discard() {
+  cancelStroke();
+  settleHand();
+  endSaving();
+  Session::discard(std::move(*session_));
+  *session_ = Session::inMemory(options());
+}
+
+void ClayDesk::startNew(NewClay kind, const fs::path& path) {
+  putAway();
+  try {
+    lay(Session::create(path, options()));
+  } catch (const Error& error) {
+    fail(error.what());
+    fail("Nothing is kept on the disk until the scene is saved");
+    lay(Session::inMemory(options()));
+  }
+  if (kind != NewClay::empty) apply(firstShape(kind));
+  begun_ = history().place();
+  tellStatus();
+}
+
+void ClayDesk::open(const fs::path& path, Progress& progress) {
+  putAway();
+  try {
+    lay(Session::open(path, options(), progress));
+  } catch (...) {
+    lay(Session::inMemory(options()));
+    throw;
+  }
+}
+
+void ClayDesk::import(const ImportOperation& operation, Progress& progress) {
+  startNew(NewClay::empty);
+  apply(operation, progress);
+}
+
+// What the window knows of the document.
+void ClayDesk::give(const SceneParts& parts) {
+  session_->parts.view = parts.view;
+  session_->parts.thumbnail = parts.thumbnail;
+}
+
+void ClayDesk::save(const fs::path& path, const SceneParts& parts) {
+  cancelStroke();
+  settleHand();
+  endSaving();
+  if (path == session_->path()) session_->requireSavable();
+  give(parts);
+  saving_ = std::make_unique<Saving>(session_->file(), path, session_->document());
+  tellStatus();
+}
+
+// Waits where it has not ended.
+void ClayDesk::endSaving() {
+  if (!saving_) return;
+  const auto saving = std::move(saving_);
+  bool succeeded = false;
+  try {
+    saving->job.result();
+    if (saving->path == session_->path()) {
+      session_->markSaved(saving->document);
+    } else {
+      session_->goOnAs(saving->path, saving->document);
+    }
+    begun_.reset();
+    succeeded = true;
+  } catch (const std::exception& error) {
+    fail(std::string("Not saved: ") + error.what());
+  }
+  out_.saved = SavedFile{saving->path, succeeded};
+  historyMoment_ = ~std::uint64_t{0};
+  tellStatus();
+}
+
+void ClayDesk::saveNumbered(const fs::path& path, const SceneParts& parts, Progress& progress) {
+  give(parts);
+  const Document copy = asCopy(session_->document());
+  note("Saved " + saveNumberedCopy(path, copy, progress, *files_).filename().string());
+}
+
+void ClayDesk::exportMesh(const fs::path& path, double keep, Progress& progress) {
+  meshFormatOf(path);
+  const TriangleMesh mesh = weld(sculptor().surface(), sculptor().field().scale);
+  writeMesh(path, keep < 1 ? decimate(mesh, keep) : mesh, progress);
+}
+
+void ClayDesk::findLeftBehind() {
+  std::vector<LeftDocument> left;
+  for (const fs::path& path : Session::leftBehind(*files_)) {
+    const auto glance = glanceAt(historyFolderOf(path), *files_);
+    if (!glance) continue;
+    if (glance->steps < 2 && glance->label == "fill") {
+      Session::discardLeftBehind(path, *files_);
+    } else {
+      left.push_back({path, *glance});
+    }
+  }
+  std::ranges::sort(left, std::greater(), [](const LeftDocument& d) { return d.glance.time; });
+  out_.left = std::move(left);
+}
+
+void ClayDesk::discardLeftBehind(const fs::path& path) {
+  Session::discardLeftBehind(path, *files_);
+  findLeftBehind();
+}
+
+// A new shape that nobody has touched is no work, and a file that holds all is none either.
+bool ClayDesk::isModified() const {
+  if (session_->saved()) return false;
+  return ownPlace_.value_or(history().place()) != begun_;
+}
+
+Keeping ClayDesk::keeping() const {
+  const History<8>& steps = history();
+  Keeping keeping;
+  keeping.path = session_->path();
+  keeping.modified = ownPlace_ ? status_.keeping.modified : isModified();
+  keeping.readOnly = session_->findings().readOnly;
+  keeping.kept = steps.onDisk() && steps.durableMoment() >= steps.moment();
+  keeping.trouble = steps.trouble();
+  if (saving_) keeping.saving = std::floor(saving_->job.done() * 20) / 20;
+  return keeping;
+}
+
+void ClayDesk::lookAfter() {
+  if (saving_ && saving_->job.finished()) return endSaving();
+  if (!(keeping() == status_.keeping)) tellStatus();
+}
+
+bool ClayDesk::isWaiting() const {
+  const History<8>& steps = history();
+  return saving_ ||
+         (steps.onDisk() && steps.trouble().empty() && steps.durableMoment() < steps.moment());
+}
+
+std::optional<std::chrono::milliseconds> ClayDesk::patience() const {
+  if (isWaiting()) return std::chrono::milliseconds(15);
+  if (!history().trouble().empty()) return std::chrono::milliseconds(1000);
+  return std::nullopt;
+}
+
+}  // namespace bozzetto::ui
