@@ -63,11 +63,11 @@ void stepCard(const PanelContext& context, std::size_t n, ImVec2 low, ImVec2 siz
   }
   const ImVec2 badge = picture ? ImVec2(low.x + px(11), high.y - px(11))
                                : ImVec2((low.x + high.x) / 2, (low.y + high.y) / 2);
-  if (picture) list->AddCircleFilled(badge, px(8.5f), ink(0x17181B, .85f), 24);
+  if (picture && step.action) list->AddCircleFilled(badge, px(8.5f), ink(0x17181B, .85f), 24);
   if (step.action) {
     drawIcon(list, rowOf(*step.action).icon, {badge, px(picture ? 5.2f : 10.f)},
              {ink(tint::text, fade), ink(tint::accent, fade)});
-  } else {
+  } else if (!picture) {
     const std::string text = fitted(fonts().medium, step.title, size.x - px(8));
     drawText(list, fonts().medium,
              {(low.x + high.x - textWidth(fonts().medium, text)) / 2,

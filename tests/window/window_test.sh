@@ -10,7 +10,7 @@ out="$root/build/window"
 passed=0 failed=0
 mkdir -p "$out"
 work=$(mktemp -d)
-export XDG_CONFIG_HOME="$work/config"
+export XDG_CONFIG_HOME="$work/config" XDG_STATE_HOME="$work/state"
 
 finish() {
   [[ -n ${window_pid:-} ]] && kill "$window_pid" 2>/dev/null
@@ -183,6 +183,64 @@ files() {
   picture reopened
 }
 
+massOf() {
+  "$program" info "$1" --json | grep -o '"mass": *[-0-9.e+]*' | head -n 1 | tr -dc '0-9.e+-'
+}
+killWindow() {
+  kill -9 "$window_pid"
+  wait "$window_pid" 2>/dev/null
+}
+
+# The window is killed after strokes that were not saved; all of it is there again.
+recovery() {
+  local killed="$work/killed.bzt" before after
+  cp "$work/scene.bzt" "$killed"
+  closeWindow
+  openWindow "$killed"
+  drag 500 400 580 420
+  drag 500 440 560 470
+  sleep 1.5
+  killWindow
+  before=$(massOf "$killed")
+  openWindow "$killed"
+  sleep 2
+  picture recovered
+  xdotool key Return
+  sleep 1
+  xdotool key shift+Tab
+  sleep 1
+  picture history
+  xdotool key shift+Tab
+  scene=$killed
+  after=$(savedMass)
+  isMore "$after" "$before"
+  check $? "after kill -9 the strokes are there ($before to $after)"
+  xdotool key ctrl+z
+  xdotool key ctrl+z
+  sleep 0.7
+  isSame "$(savedMass)" "$before"
+  check $? "and can be undone"
+  closeWindow
+  check $? "a recovered scene that is saved closes at once"
+}
+
+# The same without a name.
+leftBehind() {
+  openWindow
+  drag 500 400 580 420
+  sleep 1.5
+  killWindow
+  openWindow
+  sleep 2
+  picture left_behind
+  xdotool key Escape
+  sleep 0.5
+  alive
+  check $? "work without a name is offered again"
+  closeWindow
+  check $? "later is an answer too"
+}
+
 resize() {
   xdotool windowsize --sync "$window" 900 640
   sleep 1
@@ -242,5 +300,8 @@ look
 files
 resize
 randomInput
+scene="$work/scene.bzt"
+recovery
+leftBehind
 echo "window: $passed passed, $failed failed"
 ((failed == 0))
