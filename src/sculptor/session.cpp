@@ -220,8 +220,16 @@ void Session::requireSavable() const {
   }
 }
 
+void Session::settleHistory() {
+  try {
+    sculptor_.history().waitDurable();
+  } catch (const Error&) {  // its disk is full or broken: the more the file is to be saved
+  }
+}
+
 SaveReport Session::save(Progress& progress) {
   requireSavable();
+  settleHistory();
   const Document now = document();
   const SaveReport report = file_.save(path_, now, progress);
   markSaved(now);

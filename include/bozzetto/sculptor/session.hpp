@@ -73,6 +73,9 @@ class Session {
   bool saved() const;
   /// Throws Error, for people, where `save` would refuse: no name, or open elsewhere.
   void requireSavable() const;
+  /// Waits until the undo-files of all that was done are on the disk, if it takes them. A file
+  /// that is saved after this never runs ahead of its history.
+  void settleHistory();
   /// Into the document's own file. Throws Error; the old file stays whole then.
   SaveReport save(Progress& progress = Progress::none());
   /// Under another name, where we go on; the history comes along, and stays with the old name too.
