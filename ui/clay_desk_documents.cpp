@@ -132,6 +132,7 @@ void ClayDesk::save(const fs::path& path, const SceneParts& parts) {
   endSaving();
   if (path == session_->path()) session_->requireSavable();
   give(parts);
+  session_->settleHistory();
   saving_ = std::make_unique<Saving>(session_->file(), path, session_->document());
   tellStatus();
 }
