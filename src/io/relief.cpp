@@ -62,11 +62,14 @@ void raiseColumn(Edit<CornerBlock<8>>& edit, const Heights& heights, Key foot, A
   using Geometry = BlockGeometry<8>;
   const int i = foot.i, j = foot.j;
   const double h = heights.at(i, j);
-  const double dx = 0.5 * (heights.at(i + 1, j) - heights.at(i - 1, j));
-  const double dy = 0.5 * (heights.at(i, j + 1) - heights.at(i, j - 1));
+  const double right = heights.at(i + 1, j), left = heights.at(i - 1, j);
+  const double above = heights.at(i, j + 1), below = heights.at(i, j - 1);
+  const double dx = 0.5 * (right - left), dy = 0.5 * (above - below);
   const double along = 1 / std::sqrt(1 + dx * dx + dy * dy);
-  for (int k = -1; k <= h + 1 / along + 1; ++k) {
-    const double distance = std::max((k - h) * along, -double(k));
+  // Beside a cliff the slope is no measure of what lies over it.
+  const double top = std::max({h, right, left, above, below});
+  for (int k = -1; k <= top + 1; ++k) {
+    const double distance = std::max({(k - h) * along, k - top, -double(k)});
     const double value = std::clamp(0.5 - distance / 2, 0.0, 1.0);
     if (!(value > 0)) continue;
     const Key corner{i, j, k};
