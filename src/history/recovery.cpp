@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 
 #include "bozzetto/base/file.hpp"
 #include "history/folder_listing.hpp"
@@ -225,10 +226,17 @@ void noteStrangers(const HistoryFolder& where, const FolderListing& listing,
                     " files belong to another scene and are ignored");
 }
 
+// A program that was killed may take a while to end: a lock is waited for, a second at most.
 std::optional<FileLock> lockFolder(const HistoryFolder& where) {
+  constexpr timespec kPause{0, 50'000'000};
+  constexpr int kTries = 20;
   where.files->makePrivateFolder(where.path);
   where.files->syncFolder(folderOf(where.path));
-  return FileLock::tryTake(where.path / undo::kLockFile, *where.files);
+  for (int n = 1;; ++n) {
+    auto lock = FileLock::tryTake(where.path / undo::kLockFile, *where.files);
+    if (lock || n == kTries) return lock;
+    ::nanosleep(&kPause, nullptr);
+  }
 }
 
 // A folder that is another scene's as a whole gets another name.

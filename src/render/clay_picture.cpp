@@ -97,8 +97,7 @@ std::vector<PixelRect> touchedParts(const Frame& frame, std::span<const CellBoun
   return area > kWholeAbove * frame.width * frame.height ? whole : parts;
 }
 
-// The detail that quality chooses is no reason to draw a still view again.
-bool ClayPicture::sameView(const Request& request) const {
+bool ClayPicture::shows(const Request& request) const {
   return valid_ && request.shot == shot_ && request.look == look_;
 }
 
@@ -113,7 +112,7 @@ ClayPicture::Report ClayPicture::bring(const Request& request) {
   const bool moving = request.now - lastMove_ < kStopped;
   const bool coarse = moving && wantsCoarse(request);
   const auto changes = renderer_.changes.since(revision_);
-  if (!sameView(request) || !changes) {
+  if (!shows(request) || !changes) {
     return draw(request, coarse ? Fineness::coarse : Fineness::fine);
   }
   if (!changes->empty()) {

@@ -29,6 +29,9 @@ class ClayPicture {
     bool settled = false;
   };
   Report bring(const Request& request);
+  /// Whether it is a picture of this view, in this size; clay may have changed since. The detail
+  /// that quality chooses is no reason to draw a still view again.
+  bool shows(const Request& request) const;
 
   const Target& picture() const { return shown_; }
   /// Another number whenever the picture is another.
@@ -38,7 +41,6 @@ class ClayPicture {
   const Frame& frame() const { return frame_; }
 
  private:
-  bool sameView(const Request& request) const;
   bool wantsCoarse(const Request& request) const;
   Report draw(const Request& request, Fineness fineness);
   std::optional<Report> patch(const Request& request, std::span<const CellBounds> boxes);

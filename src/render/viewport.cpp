@@ -92,6 +92,7 @@ struct Viewport::Impl {
 
   Quality quality() const { return fixed.value_or(ladder.quality()); }
   ClayPicture::Request requestFor(const ViewFrame& frame) const;
+  ClayPicture::Request forEye(int eye, const ViewFrame& frame, ClayPicture::Request request) const;
   void copyTo(const Target& from, const PixelRect& place);
   void drawEye(int eye, const ViewFrame& frame, const Overlays& overlays, const PixelRect& place);
   void drawStereo(const ViewFrame& frame, const Overlays& overlays);
@@ -117,7 +118,16 @@ ClayPicture::Request Viewport::Impl::requestFor(const ViewFrame& frame) const {
   request.now = frame.now;
   request.mayRefine =
       !frame.stroke && frame.now - frame.lastInput >= (ladder.onProcessor() ? .4 : .15);
-  if (request.quality == Quality::least) {
+  return request;
+}
+
+// The least quality moves in half the resolution. What has come to rest is drawn in full, and stays
+// until the view or the clay changes.
+ClayPicture::Request Viewport::Impl::forEye(int eye, const ViewFrame& frame,
+                                            ClayPicture::Request request) const {
+  request.shot.eye = eyeShift(frame.camera, frame.stereo, Eye(eye));
+  const bool atRest = request.mayRefine || (!frame.stroke && eyes[std::size_t(eye)].shows(request));
+  if (request.quality == Quality::least && !atRest) {
     request.shot.width = std::max((request.shot.width + 1) / 2, 16);
     request.shot.height = std::max((request.shot.height + 1) / 2, 16);
   }
@@ -219,11 +229,10 @@ FrameReport Viewport::draw(const ViewFrame& frame, const Overlays& overlays) {
   report.quality = v.quality();
   report.settled = true;
   const bool stereo = frame.stereo.mode != StereoMode::off;
-  ClayPicture::Request request = v.requestFor(frame);
+  const ClayPicture::Request request = v.requestFor(frame);
   for (const int eye : {0, 1}) {
     if (eye == 1 && !stereo) break;
-    request.shot.eye = eyeShift(frame.camera, frame.stereo, Eye(eye));
-    const ClayPicture::Report clay = v.eyes[std::size_t(eye)].bring(request);
+    const ClayPicture::Report clay = v.eyes[std::size_t(eye)].bring(v.forEye(eye, frame, request));
     report.clay = std::max(report.clay, clay.clay);
     report.triangles += clay.triangles;
     report.settled = report.settled && clay.settled;

@@ -207,6 +207,22 @@ TEST(Viewport, CoarseClayWhileTheCameraMovesOnly) {
   EXPECT_LT(window.renderer.triangleCount(Fineness::coarse), window.renderer.triangleCount() / 3);
 }
 
+TEST(Viewport, LeastQualityRestsInFullResolution) {
+  Window window;
+  window.rest();
+  const Image refined = window.picture();
+  Window poor;
+  poor.viewport.fixQuality(Quality::least);
+  poor.draw();
+  const double moving = meanDifference(refined, poor.picture());
+  poor.rest();
+  EXPECT_LT(meanDifference(refined, poor.picture()), .3 * moving);
+  poor.frame.lastInput = poor.frame.now += .01;
+  EXPECT_EQ(poor.draw().clay, FrameReport::Clay::kept) << "a hand that hovers changes nothing";
+  poor.frame.camera.yaw += .1;
+  EXPECT_EQ(poor.draw().clay, FrameReport::Clay::drawn);
+}
+
 TEST(Viewport, StereoShowsDepth) {
   Window window;
   window.draw();
