@@ -39,7 +39,7 @@ void ClayDesk::listShelf() {
     cards_.push_back(std::move(card));
   }
   // The alphabet, which is long, comes last.
-  std::ranges::stable_partition(cards_, [](const ShelfCard& card) {
+  std::stable_partition(cards_.begin(), cards_.end(), [](const ShelfCard& card) {
     return std::ranges::find(card.entry.tags, "alphabet") == card.entry.tags.end();
   });
   out_.shelf = cards_;
