@@ -1,5 +1,7 @@
 #include "history/journal.hpp"
 
+#include <sched.h>
+
 #include <chrono>
 #include <cstdio>
 
@@ -13,6 +15,12 @@ std::string numbered(StepNumber number, const char* ending) {
   char name[32];
   std::snprintf(name, sizeof name, "%010u%s", number, ending);
   return name;
+}
+
+// Whoever wakes the writer goes on at once: it is not to take the caller's core.
+void neverPreempt() {
+  const sched_param parameters{};
+  ::sched_setscheduler(0, SCHED_BATCH, &parameters);  // of this thread; a hint that may be refused
 }
 
 }  // namespace
@@ -117,6 +125,7 @@ typename Journal<Side>::News Journal<Side>::news() {
 
 template <int Side>
 void Journal<Side>::work() {
+  neverPreempt();
   std::unique_lock lock(mutex_);
   for (;;) {
     const auto due = [&] { return stop_ || !events_.empty() || running_; };
