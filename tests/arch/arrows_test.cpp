@@ -25,10 +25,10 @@ bool isStandard(const std::string& header) {
 }
 
 bool isSystem(const std::string& header) {
-  static const Names posix{"dirent.h",    "dlfcn.h",        "fcntl.h",    "poll.h",
-                           "signal.h",    "spawn.h",        "sys/file.h", "sys/ioctl.h",
-                           "sys/mman.h",  "sys/resource.h", "sys/stat.h", "sys/statvfs.h",
-                           "sys/types.h", "sys/wait.h",     "unistd.h",   "immintrin.h"};
+  static const Names posix{
+      "dirent.h",      "dlfcn.h",     "fcntl.h",     "poll.h",     "sched.h",        "signal.h",
+      "spawn.h",       "sys/file.h",  "sys/ioctl.h", "sys/mman.h", "sys/resource.h", "sys/stat.h",
+      "sys/statvfs.h", "sys/types.h", "sys/wait.h",  "unistd.h",   "immintrin.h"};
   return posix.contains(header);
 }
 
