@@ -1,6 +1,7 @@
 // Files: what leaves and enters the atelier, with questions first and progress meanwhile.
 #include <fmt/format.h>
 
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/render/picture.hpp"
 #include "bozzetto/render/png.hpp"
 #include "ui/atelier.hpp"
@@ -9,11 +10,6 @@ namespace bozzetto::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower(std::string text) {
-  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 std::string numbered(const fs::path& path, int frame) {
   const fs::path folder = path.parent_path();

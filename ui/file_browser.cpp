@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "bozzetto/base/text.hpp"
+
 namespace bozzetto::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower(std::string text) {
-  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 bool isWanted(const std::string& name, const std::vector<std::string>& endings) {
   return endings.empty() || std::any_of(endings.begin(), endings.end(), [&](const auto& ending) {

@@ -1,9 +1,9 @@
 #include "bozzetto/sculptor/shelf_tool.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/scene/clay_bytes.hpp"
 #include "bozzetto/scene/scene_file.hpp"
 #include "sculptor/operation_format.hpp"
@@ -15,12 +15,6 @@ namespace {
 
 constexpr const char* kSetting = "tool";
 constexpr std::uint32_t kLongestNotes = 1 << 20;
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 }  // namespace
 
