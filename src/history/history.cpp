@@ -297,7 +297,7 @@ template <int Side>
 void History<Side>::State::cutOff(StepNumber lost) {
   for (const StepNumber step : parts.tree.cut(lost)) {
     forget(step);
-    parts.lostFiles.push_back(undo::stepFileName(step));
+    parts.lostSteps.push_back(step);
   }
   const auto gone = [&](const Anchor& anchor) { return !parts.tree.has(anchor.state); };
   std::erase_if(parts.anchors, gone);

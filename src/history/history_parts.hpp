@@ -35,7 +35,7 @@ struct HistoryParts {
   std::optional<StepNumber> saved;  ///< the state that the scene's file has
   std::uint64_t savedMoment = 0;
   /// Undo-files that nothing leads to; the first to go.
-  std::vector<std::string> lostFiles;
+  std::vector<StepNumber> lostSteps;
 };
 
 }  // namespace bozzetto

@@ -63,7 +63,7 @@ void History<Side>::State::requestCheckpoint() {
 
 template <int Side>
 bool History<Side>::State::overLimits() const {
-  const std::size_t count = parts.tree.size() + parts.lostFiles.size();
+  const std::size_t count = parts.tree.size() + parts.lostSteps.size();
   if (parts.limits.steps != 0 && count > parts.limits.steps) return true;
   return parts.limits.diskBytes != 0 && parts.tree.writtenBytes() > parts.limits.diskBytes;
 }
@@ -79,9 +79,9 @@ bool History<Side>::State::anchoredWithout(StepNumber state) const {
 template <int Side>
 void History<Side>::State::rotate() {
   while (overLimits()) {
-    if (!parts.lostFiles.empty()) {
-      removeStep(parts.lostFiles.front());
-      parts.lostFiles.erase(parts.lostFiles.begin());
+    if (!parts.lostSteps.empty()) {
+      removeStep(parts.lostSteps.front());
+      parts.lostSteps.erase(parts.lostSteps.begin());
       continue;
     }
     const auto oldest = parts.tree.nextToDrop();
@@ -96,7 +96,7 @@ void History<Side>::State::dropStep(StepNumber number) {
   forget(number);
   const StepNumber state = parts.tree.drop(number);
   if (parts.journal) {
-    removeStep(undo::stepFileName(number));
+    removeStep(number);
     dropAnchor(state);
   }
   if (parts.saved == state) parts.saved.reset();
@@ -104,9 +104,9 @@ void History<Side>::State::dropStep(StepNumber number) {
 
 // An undo-file, and its picture.
 template <int Side>
-void History<Side>::State::removeStep(const std::string& undoFile) {
-  parts.journal->remove(undoFile);
-  parts.journal->remove(undo::pictureFileName(static_cast<StepNumber>(std::stoul(undoFile))));
+void History<Side>::State::removeStep(StepNumber step) {
+  parts.journal->remove(undo::stepFileName(step));
+  parts.journal->remove(undo::pictureFileName(step));
 }
 
 template <int Side>

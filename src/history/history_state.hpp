@@ -44,7 +44,7 @@ struct History<Side>::State {
   bool anchoredWithout(StepNumber state) const;
   void dropStep(StepNumber number);
   void dropAnchor(StepNumber state);
-  void removeStep(const std::string& undoFile);
+  void removeStep(StepNumber step);
   void forget(StepNumber step);
   void letGo(Change change);
   void shrinkMemory();

@@ -290,7 +290,7 @@ OpenedHistory<Side> openHistory(const HistoryFolder& where,
   for (const std::string& name : found.names) {
     const StepNumber number = static_cast<StepNumber>(std::stoul(name));
     if (!name.ends_with(undo::kStepEnding) || parts.tree.find(number) != nullptr) continue;
-    parts.lostFiles.push_back(name);
+    parts.lostSteps.push_back(number);
   }
 
   opened.recovered =
