@@ -111,6 +111,17 @@ TEST(Layout, NoTabsNoTrailingBlanks) {
   });
 }
 
+// Tests of one program run side by side, so that a name they share is a race.
+TEST(Layout, TestsWriteIntoFoldersOfTheirOwn) {
+  const std::string forbidden[] = {std::string("Temp") + "Dir()",
+                                   std::string("temp_directory") + "_path"};
+  forEachLine([&](const TextFile& file, const std::string& line, const std::string& where) {
+    if (file.part(0) != "tests" || file.part(1) == "support" || file.part(1) == "bench") return;
+    for (const std::string& text : forbidden)
+      EXPECT_EQ(line.find(text), std::string::npos) << where << ": testing::Folder";
+  });
+}
+
 // Split so that this file does not break its own rule.
 TEST(Layout, NothingNamesOneMachine) {
   const std::string forbidden[] = {std::string("/wo") + "rk/", std::string("/ho") + "me/",

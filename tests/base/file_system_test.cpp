@@ -13,6 +13,7 @@
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/base/hash.hpp"
 #include "support/crash_file_system.hpp"
+#include "support/folder.hpp"
 
 namespace bozzetto {
 namespace fs = std::filesystem;
@@ -48,16 +49,10 @@ FileFault faultOf(const auto& body) {
 
 class Disk : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "bozzetto-disk-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   fs::path at(const char* name) const { return folder_ / name; }
 
   FileSystem& files_ = FileSystem::real();
-  fs::path folder_;
+  const testing::Folder folder_;
 };
 
 // What both disks promise.
@@ -104,7 +99,7 @@ void expectGoodManners(FileSystem& files, const fs::path& folder) {
   EXPECT_TRUE(FileLock::tryTake(folder / "lock", files).has_value());
 }
 
-TEST_F(Disk, hasGoodManners) { expectGoodManners(files_, folder_); }
+TEST_F(Disk, hasGoodManners) { expectGoodManners(files_, folder_.path()); }
 
 TEST(CrashDisk, hasTheSameManners) {
   CrashFileSystem files;
@@ -172,11 +167,11 @@ TEST_F(Disk, leftoversGoFilesInUseStay) {
   writeFile(at(".bozzetto-1-0.tmp"), bytesOf("from a program that died"));
   writeFile(at("bozzetto.tmp"), bytesOf("somebody's"));
   NewFile used(at("x"));
-  removeLeftovers(folder_);
-  EXPECT_EQ(files_.list(folder_),
+  removeLeftovers(folder_.path());
+  EXPECT_EQ(files_.list(folder_.path()),
             (std::vector<std::string>{used.temporaryName().filename(), "bozzetto.tmp"}));
   used.putInPlace();
-  EXPECT_EQ(files_.list(folder_), (std::vector<std::string>{"bozzetto.tmp", "x"}));
+  EXPECT_EQ(files_.list(folder_.path()), (std::vector<std::string>{"bozzetto.tmp", "x"}));
 }
 
 TEST_F(Disk, namesOfFullLength) {

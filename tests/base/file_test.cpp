@@ -9,29 +9,21 @@
 #include <csignal>
 #include <string>
 
+#include "support/folder.hpp"
+
 namespace bozzetto {
 namespace fs = std::filesystem;
 namespace {
 
-class File : public testing::Test {
+class File : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "bozzetto-file-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override {
-    fs::permissions(folder_, fs::perms::owner_all);
-    fs::remove_all(folder_);
-  }
-
   fs::path at(const char* name) const { return folder_ / name; }
   std::size_t filesInFolder() const {
     return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
+        std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator{}));
   }
 
-  fs::path folder_;
+  const testing::Folder folder_;
 };
 
 Bytes bytesOf(std::string_view text) {
@@ -71,7 +63,8 @@ TEST_F(File, MissingFileIsNamed) {
 TEST_F(File, FoldersAndPipesAreRefusedAtOnce) {
   ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
   EXPECT_NE(messageOf([&] { readFile(at("pipe")); }).find("not a regular file"), std::string::npos);
-  EXPECT_NE(messageOf([&] { readFile(folder_); }).find("not a regular file"), std::string::npos);
+  EXPECT_NE(messageOf([&] { readFile(folder_.path()); }).find("not a regular file"),
+            std::string::npos);
   EXPECT_THROW(readFile("/dev/zero"), Error);
 }
 
@@ -102,7 +95,7 @@ TEST_F(File, AFolderOfThatNameStays) {
 TEST_F(File, AReadOnlyFolderKeepsTheOldFile) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
   writeFile(at("a"), bytesOf("old"));
-  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+  fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec);
   EXPECT_THROW(writeFile(at("a"), bytesOf("new")), Error);
   EXPECT_EQ(readFile(at("a")), bytesOf("old"));
 }

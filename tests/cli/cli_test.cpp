@@ -10,7 +10,7 @@
 namespace bozzetto {
 namespace {
 
-using testing::Folder;
+using testing::CommandFolder;
 using testing::Outcome;
 using testing::runProgram;
 
@@ -31,7 +31,7 @@ nlohmann::json infoOf(const std::string& scene) {
   return nlohmann::json::parse(outcome.out);
 }
 
-std::string sceneOf(const Folder& folder, const std::string& recording,
+std::string sceneOf(const CommandFolder& folder, const std::string& recording,
                     const std::string& options = "") {
   const std::string file = folder.write("r.jsonl", recording), scene = folder / "s.bzt";
   const Outcome outcome = runProgram("replay " + file + " -o " + scene + " " + options);
@@ -40,7 +40,7 @@ std::string sceneOf(const Folder& folder, const std::string& recording,
 }
 
 TEST(Cli, importsACubeWhereItIs) {
-  const Folder folder;
+  const CommandFolder folder;
   const std::string mesh = folder.write("cube.off", kCube), scene = folder / "s.bzt";
   const Outcome outcome = runProgram("import " + mesh + " -o " + scene + " --cells 40");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -55,7 +55,7 @@ TEST(Cli, importsACubeWhereItIs) {
 }
 
 TEST(Cli, infoHasAllItPromises) {
-  const Folder folder;
+  const CommandFolder folder;
   const auto info = infoOf(sceneOf(folder, kBall));
   for (const char* key :
        {"corners", "bricks", "cubes", "crossing_cubes", "edges", "triangles", "components", "mass",
@@ -73,7 +73,7 @@ TEST(Cli, infoHasAllItPromises) {
 }
 
 TEST(Cli, withoutOpenGlThereIsNoThumbnailAndNoComplaint) {
-  const Folder folder;
+  const CommandFolder folder;
   const std::string recording = folder.write("r.jsonl", kBall), scene = folder / "s.bzt";
   ASSERT_EQ(::setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nowhere", 1), 0);
   const Outcome outcome = runProgram("replay " + recording + " -o " + scene);
@@ -84,14 +84,14 @@ TEST(Cli, withoutOpenGlThereIsNoThumbnailAndNoComplaint) {
 }
 
 TEST(Cli, threadsDoNotShowInTheField) {
-  const Folder folder;
+  const CommandFolder folder;
   const auto one = infoOf(sceneOf(folder, kBall, "--threads 1"));
   const auto three = infoOf(sceneOf(folder, kBall, "--threads 3"));
   EXPECT_EQ(one["field_hash"], three["field_hash"]);
 }
 
 TEST(Cli, exportsClosedMeshesInEveryFormat) {
-  const Folder folder;
+  const CommandFolder folder;
   const std::string scene = sceneOf(folder, kBall);
   const auto info = infoOf(scene);
   for (const char* format : {"obj", "ply", "stl", "glb"}) {
@@ -108,14 +108,14 @@ TEST(Cli, exportsClosedMeshesInEveryFormat) {
 }
 
 TEST(Cli, writesToStandardOutput) {
-  const Folder folder;
+  const CommandFolder folder;
   const Outcome outcome = runProgram("export " + sceneOf(folder, kBall) + " -");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.out.substr(0, 4), "ply\n");
 }
 
 TEST(Cli, statisticsTellThePapersCounts) {
-  const Folder folder;
+  const CommandFolder folder;
   const std::string stats = folder / "stats.json";
   sceneOf(folder, kBall, "--stats " + stats);
   const auto json = nlohmann::json::parse(testing::textOf(stats));
@@ -129,7 +129,7 @@ TEST(Cli, statisticsTellThePapersCounts) {
 }
 
 TEST(Cli, replaysOnAFinerGridAndFromAScene) {
-  const Folder folder;
+  const CommandFolder folder;
   const std::string scene = sceneOf(folder, kBall);
   const double volume = infoOf(scene)["volume"];
   const std::string more =
@@ -145,7 +145,7 @@ TEST(Cli, replaysOnAFinerGridAndFromAScene) {
 }
 
 TEST(Cli, SlowRendersWithoutADisplay) {
-  const Folder folder;
+  const CommandFolder folder;
   const std::string picture = folder / "p.png";
   const Outcome outcome =
       runProgram("render " + sceneOf(folder, kBall) + " " + picture + " --size 96x64 --view iso");
@@ -154,7 +154,7 @@ TEST(Cli, SlowRendersWithoutADisplay) {
 }
 
 TEST(Cli, SlowTurntablesGiveNumberedPictures) {
-  const Folder folder;
+  const CommandFolder folder;
   const std::string picture = folder / "turn.png";
   const Outcome outcome = runProgram("render " + sceneOf(folder, kBall) + " " + picture +
                                      " --size 48x32 --turntable 2 --structure cubes --yaw 30"
@@ -174,7 +174,7 @@ struct Refusal {
 class Refusals : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(Refusals, areOneLineAndLeaveNothing) {
-  const Folder folder;
+  const CommandFolder folder;
   folder.write("empty", "");
   folder.write("text.bzt", "no scene at all");
   folder.write("bad.jsonl", kHeader + "{\"op\":\"fill\"}\n{\"op\":\"dance\"}\n");
@@ -248,7 +248,7 @@ TEST(Cli, helpIsThereForEveryCommand) {
 }
 
 TEST(Cli, aDiskThatFillsLeavesTheOldScene) {
-  const Folder folder;
+  const CommandFolder folder;
   const std::string scene = sceneOf(folder, kBall);
   const auto hash = infoOf(scene)["field_hash"];
   const std::string larger =

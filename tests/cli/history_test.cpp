@@ -9,7 +9,7 @@
 namespace bozzetto {
 namespace {
 
-using testing::Folder;
+using testing::CommandFolder;
 using testing::Outcome;
 using testing::runProgram;
 
@@ -50,7 +50,7 @@ class InPlace : public ::testing::Test {
     return kWork.substr(0, end);
   }
 
-  Folder folder_;
+  CommandFolder folder_;
   const std::string scene_ = folder_ / "s.bzt";
 };
 

@@ -19,7 +19,7 @@ std::string textOf(const std::string& path) {
 namespace {
 
 Outcome runShell(const std::string& command) {
-  const Folder folder;
+  const CommandFolder folder;
   const std::string out = folder / "out", err = folder / "err";
   const int status =
       std::system(("{ " + command + "; } > " + out + " 2> " + err + " < /dev/null").c_str());
@@ -44,22 +44,15 @@ Outcome runKilled(const std::string& arguments, double seconds) {
                   arguments);
 }
 
-Folder::Folder() {
-  std::string name = (fs::temp_directory_path() / "bozzetto-test-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) std::abort();
-  path_ = name;
-}
-
-Folder::~Folder() { fs::remove_all(path_); }
-
-std::string Folder::write(const std::string& name, const std::string& text) const {
+std::string CommandFolder::write(const std::string& name, const std::string& text) const {
   std::ofstream(*this / name, std::ios::binary) << text;
   return *this / name;
 }
 
-std::string Folder::listing() const {
+std::string CommandFolder::listing() const {
   std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(path_)) names.insert(entry.path().filename());
+  for (const auto& entry : fs::directory_iterator(folder_.path()))
+    names.insert(entry.path().filename());
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : " ") + name;
   return list;

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "support/folder.hpp"
+
 namespace bozzetto::testing {
 
 struct Outcome {
@@ -19,22 +21,17 @@ Outcome runLimited(const std::string& arguments, int kibibytes);
 /// The same, killed (SIGKILL) after so many seconds.
 Outcome runKilled(const std::string& arguments, double seconds);
 
-/// A folder of its own that goes away with it.
-class Folder {
+/// A folder whose paths can stand on a command line.
+class CommandFolder {
  public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::string operator/(const std::string& name) const { return (folder_ / name).string(); }
   /// Writes a text file and returns its path.
   std::string write(const std::string& name, const std::string& text) const;
   /// Names of all files in it.
   std::string listing() const;
 
  private:
-  std::filesystem::path path_;
+  Folder folder_;
 };
 
 std::string textOf(const std::string& path);

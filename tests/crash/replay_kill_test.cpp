@@ -13,30 +13,11 @@
 
 #include "bozzetto/sculptor/recording.hpp"
 #include "bozzetto/sculptor/session.hpp"
+#include "support/folder.hpp"
 
 namespace bozzetto {
 namespace {
 namespace fs = std::filesystem;
-
-// A kill does not wait for the disk: memory is as good, and quicker.
-class Folder {
- public:
-  Folder() {
-    const fs::path quick = "/dev/shm";
-    std::string name =
-        ((fs::is_directory(quick) ? quick : fs::temp_directory_path()) / "bozzetto-XXXXXX")
-            .string();
-    if (::mkdtemp(name.data()) == nullptr) throw Error("no temporary folder");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path_); }
-  fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 // What a clean replay gives: clay after each of the last steps, and the place among them; undo and
 // redo as everybody expects them. Copies cost pointers.
@@ -305,7 +286,7 @@ class Campaign {
     return fieldHash(sculptor.field());
   }
 
-  Folder folder_;
+  const testing::Folder folder_{testing::Folder::quick()};
   fs::path scene_ = folder_ / "scene.bzt";
   std::mt19937 random_;
   Model model_;

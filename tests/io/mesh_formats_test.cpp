@@ -16,6 +16,7 @@
 #include "bozzetto/mesh/check.hpp"
 #include "io/text_bytes.hpp"
 #include "mesh/shapes.hpp"
+#include "support/folder.hpp"
 
 namespace bozzetto {
 namespace {
@@ -140,7 +141,7 @@ TEST(Glb, PlacesMeshesByTheirNodesAndTurnsMirroredOnes) {
 }
 
 TEST(ReadMesh, BelievesTheContentMoreThanTheExtension) {
-  const auto folder = std::filesystem::path(testing::TempDir());
+  const testing::Folder folder;
   const auto path = folder / "liar.stl";
   writeMesh(path, MeshFormat::ply, colouredTorus());
   EXPECT_EQ(readMesh(path).colours.size(), 288u);
@@ -156,7 +157,8 @@ TEST(ReadMesh, ListsWhatItKnows) {
 }
 
 TEST(WriteMesh, RefusesInvalidMeshesAndLeavesTheOldFile) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "old.obj";
+  const testing::Folder folder;
+  const auto path = folder / "old.obj";
   writeMesh(path, shapes::cube());
   auto broken = shapes::cube();
   broken.positions[0].x = std::numeric_limits<double>::quiet_NaN();

@@ -7,6 +7,7 @@
 
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/io/relief.hpp"
+#include "support/folder.hpp"
 
 namespace bozzetto {
 namespace {
@@ -96,7 +97,8 @@ Bytes rampPng() {
 }
 
 TEST(GreyPng, readsSixteenBitsAndSurvivesEveryCut) {
-  const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_ramp.png";
+  const testing::Folder folder;
+  const fs::path path = folder / "ramp.png";
   const Bytes ramp = rampPng();
   writeFile(path, ramp);
   const GreyImage image = readGreyPng(path);
@@ -110,7 +112,6 @@ TEST(GreyPng, readsSixteenBitsAndSurvivesEveryCut) {
   wide[18] = std::byte{0x7f};  // a width of millions, its checksum wrong too
   writeFile(path, wide);
   EXPECT_THROW(readGreyPng(path), Error);
-  fs::remove(path);
 }
 
 }  // namespace

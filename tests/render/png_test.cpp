@@ -6,6 +6,7 @@
 
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/base/file.hpp"
+#include "support/folder.hpp"
 
 namespace bozzetto {
 namespace {
@@ -62,7 +63,8 @@ TEST(Png, HugeSizeInFewBytesIsRefused) {
 }
 
 TEST(Png, FilesAndErrorsNameThePath) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "bozzetto_png_test.png";
+  const testing::Folder folder;
+  const auto path = folder / "a.png";
   const Image image = pattern(5, 5, 255);
   writePng(path, image);
   EXPECT_EQ(readPng(path).pixels, image.pixels);
@@ -73,7 +75,6 @@ TEST(Png, FilesAndErrorsNameThePath) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find(path.string()), std::string::npos);
   }
-  std::filesystem::remove(path);
   EXPECT_THROW(encodePng(Image()), Error);
 }
 

@@ -86,14 +86,8 @@ TEST(Child, DISABLED_savesWithoutEnd) {
   }
 }
 
-// In memory where there is such a disk: a kill does not wait for the disk, and neither do we.
-std::filesystem::path quickDisk() {
-  return std::filesystem::is_directory("/dev/shm") ? std::filesystem::path("/dev/shm")
-                                                   : std::filesystem::temp_directory_path();
-}
-
 TEST(RealDiskSlow, threeHundredKillsLoseNothing) {
-  const Folder folder(quickDisk());
+  const Folder folder(Folder::quick());
   const auto path = folder / "a.bzt";
   std::mt19937 source(1);
   const auto random = [&] { return static_cast<unsigned>(source()); };

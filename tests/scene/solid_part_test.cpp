@@ -3,6 +3,7 @@
 
 #include "bozzetto/scene/scene_file.hpp"
 #include "bozzetto/solid/solid_codec.hpp"
+#include "support/folder.hpp"
 
 namespace bozzetto {
 namespace {
@@ -16,7 +17,8 @@ Bytes someSolid() {
 }
 
 TEST(SolidPart, SavedLoadedAndTakenOutAgain) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / "solid_part.bzt";
+  const testing::Folder folder;
+  const auto path = folder / "solid.bzt";
   Document document;
   document.parts.solid = someSolid();
   saveScene(path, document);

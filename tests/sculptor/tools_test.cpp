@@ -8,6 +8,7 @@
 #include "bozzetto/scene/scene_file.hpp"
 #include "bozzetto/sculptor/replay.hpp"
 #include "bozzetto/sculptor/tool_library.hpp"
+#include "support/folder.hpp"
 
 namespace bozzetto {
 namespace {
@@ -22,20 +23,16 @@ Clay replayed(const std::string& lines) { return replay(recordingOf(lines), {}).
 class Tools : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(::testing::TempDir()) / ("bozzetto_tools_" + std::string(info->name()));
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "bozzetto/tools");
-    ::setenv("XDG_DATA_HOME", folder_.c_str(), 1);
+    ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   Clay replayHere(const std::string& lines) const {
     Recording recording = recordingOf(lines);
-    recording.folder = folder_;
+    recording.folder = folder_.path();
     return replay(recording, {}).field;
   }
-  fs::path folder_;
+  const testing::Folder folder_;
 };
 
 const char* const kBody =

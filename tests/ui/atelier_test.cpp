@@ -150,8 +150,8 @@ TEST_F(Null, mirroredStrokesAreSymmetric) {
 }
 
 TEST_F(Null, savesOpensAndAsksBeforeItForgets) {
-  const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_atelier.bzt";
-  fs::remove(path);
+  const testing::Folder folder;
+  const fs::path path = folder / "a.bzt";
   drag(middle(), middle() + glm::dvec2(60, 20));
   atelier_.saveScene(path);
   settle();
@@ -178,13 +178,10 @@ TEST_F(Null, savesOpensAndAsksBeforeItForgets) {
   atelier_.worker().post([](ClayDesk& desk) { desk.apply(SceneOperation{}); });
   settle();
   EXPECT_NEAR(mass(), kept, 1e-6 * kept);
-  fs::remove_all(historyFolderOf(path));
 }
 
 TEST_F(Null, numberedCopiesLieBesideTheScene) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "bozzetto_numbered";
-  fs::remove_all(folder);
-  fs::create_directory(folder);
+  const testing::Folder folder;
   atelier_.run(Command::saveNumbered);
   EXPECT_EQ(atelier_.dialog, Dialog::saveAs) << "no name yet";
   atelier_.saveScene(folder / "a.bzt");
@@ -195,11 +192,11 @@ TEST_F(Null, numberedCopiesLieBesideTheScene) {
     EXPECT_TRUE(fs::exists(folder / name)) << name;
   }
   EXPECT_EQ(atelier_.path(), folder / "a.bzt");
-  fs::remove_all(folder);
 }
 
 TEST_F(Null, whatWasDoneByHandCanBeReplayed) {
-  const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_atelier.jsonl";
+  const testing::Folder folder;
+  const fs::path path = folder / "a.jsonl";
   drag(middle(), middle() + glm::dvec2(60, 20));
   tap(static_cast<KeyCode>('2'));
   drag(middle(), middle() + glm::dvec2(-30, 50));
@@ -273,10 +270,8 @@ TEST_F(Null, everyCommandCanBeRun) {
 }
 
 TEST_F(Null, theFileDialogWorksByKeyboard) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "bozzetto_dialog";
-  fs::create_directories(folder);
-  fs::remove(folder / "by keys.bzt");
-  atelier_.settings.folder = folder.string();
+  const testing::Folder folder;
+  atelier_.settings.folder = folder.path().string();
   tapCtrl(letter('S'));
   settle();
   ASSERT_EQ(atelier_.dialog, Dialog::saveAs);

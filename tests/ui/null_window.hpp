@@ -79,8 +79,8 @@ class NullWindow {
   }
   // All that was done so far gives the same clay again.
   void expectReplays() {
-    const std::filesystem::path path =
-        std::filesystem::path(::testing::TempDir()) / "bozzetto_panels.jsonl";
+    const testing::Folder folder;
+    const std::filesystem::path path = folder / "by hand.jsonl";
     const std::uint64_t before = hash();
     atelier_.saveRecording(path);
     settle();

@@ -12,6 +12,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "support/folder.hpp"
+
 namespace bozzetto::ui {
 namespace {
 
@@ -22,9 +24,6 @@ constexpr int kMotion = 0, kPress = 1, kRelease = 2;
 class FakeDaemon {
  public:
   FakeDaemon() {
-    path_ = std::filesystem::path(::testing::TempDir()) /
-            ("bozzetto_spnav_" + std::to_string(::getpid()));
-    std::filesystem::remove(path_);
     listener_ = ::socket(AF_UNIX, SOCK_STREAM, 0);
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
@@ -36,7 +35,6 @@ class FakeDaemon {
   ~FakeDaemon() {
     if (client_ >= 0) ::close(client_);
     ::close(listener_);
-    std::filesystem::remove(path_);
     ::unsetenv("SPNAV_SOCKET");
   }
   FakeDaemon(const FakeDaemon&) = delete;
@@ -48,7 +46,8 @@ class FakeDaemon {
   }
 
  private:
-  std::filesystem::path path_;
+  const testing::Folder folder_;
+  const std::filesystem::path path_ = folder_ / "spnav";
   int listener_ = -1, client_ = -1;
 };
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/folder.hpp"
 #include "ui/file_browser.hpp"
 
 namespace bozzetto::ui {
@@ -45,9 +46,8 @@ TEST(Settings, theLastSceneComesFirstAndOnce) {
 }
 
 TEST(Settings, goToDiskAndBack) {
-  const std::filesystem::path folder =
-      std::filesystem::path(::testing::TempDir()) / "bozzetto_settings" / "deeper";
-  std::filesystem::remove_all(folder);
+  const testing::Folder place;
+  const std::filesystem::path folder = place / "deeper";
   EXPECT_EQ(readSettings(folder), Settings{});
   writeSettings(folder, some());
   EXPECT_EQ(readSettings(folder), some());
@@ -55,14 +55,13 @@ TEST(Settings, goToDiskAndBack) {
 
 TEST(FileBrowser, showsFoldersFirstAndWhatIsWanted) {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::path(::testing::TempDir()) / "bozzetto_browser";
-  fs::remove_all(folder);
+  const testing::Folder folder;
   fs::create_directories(folder / "zoo");
   fs::create_directories(folder / ".hidden");
   for (const char* name : {"b.bzt", "A.BZT", "c.txt"})
     std::fclose(std::fopen((folder / name).c_str(), "w"));
   FileBrowser browser;
-  browser.open(folder, {".bzt"});
+  browser.open(folder.path(), {".bzt"});
   std::vector<std::string> names;
   for (const FileEntry& entry : browser.entries()) names.push_back(entry.name);
   EXPECT_EQ(names, (std::vector<std::string>{"zoo", "A.BZT", "b.bzt"}));
@@ -71,7 +70,7 @@ TEST(FileBrowser, showsFoldersFirstAndWhatIsWanted) {
   browser.enter(folder / "zoo");
   EXPECT_TRUE(browser.entries().empty());
   browser.up();
-  EXPECT_EQ(browser.folder(), folder);
+  EXPECT_EQ(browser.folder(), folder.path());
   EXPECT_EQ(browser.resolve("x.bzt"), folder / "x.bzt");
   EXPECT_EQ(browser.resolve("/tmp/x"), fs::path("/tmp/x"));
 }

@@ -12,13 +12,10 @@ namespace fs = std::filesystem;
 class Shelf : public Null {
  protected:
   Shelf() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    ::setenv("XDG_DATA_HOME", folder_.c_str(), 1);
+    ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
     tap(letter('Q'));
     settle();
   }
-  ~Shelf() override { fs::remove_all(folder_); }
 
   const ShelfCard* card(const std::string& name) {
     for (const ShelfCard& each : atelier_.shelf.cards)
@@ -33,7 +30,7 @@ class Shelf : public Null {
   // Of the first card.
   glm::dvec2 firstCard() const { return interface_.layout().drawer.low + glm::dvec2(44, 170); }
 
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "bozzetto_shelf";
+  const testing::Folder folder_;
 };
 
 TEST_F(Shelf, theDrawerStandsBesideTheTools) {

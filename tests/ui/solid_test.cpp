@@ -26,7 +26,8 @@ class SolidMode : public Null {
   void use(SolidTool tool) { atelier_.run(Command(int(Command::solidMove) + int(tool))); }
   // Of the solid itself, where it has no clay.
   bool solidReplays() {
-    const fs::path path = fs::path(::testing::TempDir()) / "bozzetto_solid.jsonl";
+    const testing::Folder folder;
+    const fs::path path = folder / "by hand.jsonl";
     const Solid before = *shown().solid;
     atelier_.saveRecording(path);
     settle();
