@@ -116,6 +116,7 @@ struct Canvas::Impl {
   int fontsVersion = 0;
 
   void makeBalls();
+  void takeFonts();
   static void forget(ImTextureID& texture);
   void takePictures(const Publication& fresh);
   void forgetSteps();
@@ -149,6 +150,19 @@ void Canvas::Impl::makeBalls() {
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   renderer.clear();
+}
+
+// Only their texture is made anew: the back end would forget that its buffers are empty again.
+void Canvas::Impl::takeFonts() {
+  const int wanted = interface->fontsVersion();
+  const int had = std::exchange(fontsVersion, wanted);
+  if (had == wanted) return;
+  if (had == 0) {
+    ImGui_ImplOpenGL3_CreateDeviceObjects();  // nobody calls the back end's NewFrame
+    return;
+  }
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 void Canvas::Impl::forget(ImTextureID& texture) {
@@ -327,15 +341,7 @@ bool Canvas::hasUploads() const {
 
 bool Canvas::draw(Publication fresh, glm::dvec2 size) {
   Impl& c = *impl_;
-  if (c.fontsVersion != c.interface->fontsVersion()) {
-    // With the fonts' texture; nobody calls the back end's NewFrame.
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();
-    ImGui_ImplOpenGL3_CreateDeviceObjects();
-    // Its complaints about what it deletes are not the renderer's.
-    while (glGetError() != GL_NO_ERROR) {
-    }
-    c.fontsVersion = c.interface->fontsVersion();
-  }
+  c.takeFonts();
   if (c.atelier->shelf.open) c.uploadTools();
   c.takePictures(fresh);
   if (fresh.status) c.forgetSteps();

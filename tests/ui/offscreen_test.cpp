@@ -143,5 +143,12 @@ TEST_F(Offscreen, aStrokeIsSeen) {
   EXPECT_GT(changed, 1500);
 }
 
+TEST_F(Offscreen, sizeAndScaleChangeTogether) {
+  resize({960, 600});
+  interface_.setScale(1.2f);
+  EXPECT_NO_THROW(settle());
+  EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
 }  // namespace
 }  // namespace bozzetto::ui
