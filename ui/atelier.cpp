@@ -63,6 +63,7 @@ Publication Atelier::poll() {
     previewing_ = false;
     if (gesture_ != Gesture::solid) hoverSolid();
   }
+  watchLights();
   if (fresh.shelf) shelf.cards = *fresh.shelf;
   if (fresh.taken) sculpt.take(*fresh.taken, status_.scale.spacing);
   if (!framed_ && !patches_.empty()) frameAll();
@@ -122,6 +123,7 @@ void Atelier::opened(OpenedDocument document) {
   airPoint_.reset();
   heldTool_.reset();
   views_ = {};
+  takeLights(parts.view);
   options.boxSize = parts.view.workspace;
   if (parts.view.camera.distance > 0) {
     view = viewOf(parts.view.camera);
@@ -154,7 +156,7 @@ void Atelier::lookFrom(double yaw, double pitch) {
 
 void Atelier::movedView(const ViewState& before) {
   if (view == before) return;
-  views_.moved(before, now_);
+  views_.moved({before, studioSeen_}, now_);
   touch();
   updateHover();
 }

@@ -30,7 +30,8 @@ enum class Gesture {
   strength,
   rotation,
   sizeAndStrength,
-  light,
+  light,        ///< all lights
+  lightHandle,  ///< one
   pickColour,
   boxHandle,
   support,
@@ -188,6 +189,7 @@ class Atelier {
   void placeToolAsSupport(const glm::dvec3& at);
   void moveSupport(std::size_t n, const clay::Support& support);
   void dropSupport(std::size_t n);
+  bool hoversLight() const { return hover_.inside && lightHandle_.has_value(); }
   bool hoversSupport() const { return hover_.inside && supportAt(pointer_).has_value(); }
   std::optional<std::size_t> chosenSupport;
   int relaxSteps = 10;
@@ -206,6 +208,7 @@ class Atelier {
   ShelfDrawer shelf;
   bool paletteOpen = false;
   bool panelsShown = true;
+  bool lightsOpen = false;  ///< the lights' section: their handles show
   bool historyShown = false;
   std::optional<Comparison> comparison;  ///< shown until it is closed
   glm::dvec2 palettePlace{0};
@@ -261,6 +264,13 @@ class Atelier {
   void dragValues(glm::dvec2 by);
   void pickColour();
   void turnLight(glm::dvec2 by);
+  std::vector<LightMark> lightMarks() const;
+  void findLight();
+  void dragLight(glm::dvec2 to);
+  void watchLights();
+  void takeLights(const View& kept);
+  std::vector<Light> keptLights() const;
+  void changeSight(bool (ViewHistory::*how)(Sight&));
   void dragBox(glm::dvec2 by);
   std::optional<BoxOutline> boxOutline() const;
   void updateHover();
@@ -336,6 +346,9 @@ class Atelier {
   std::optional<glm::dvec3> joinFrom_;
   bool previewing_ = false;
   bool heldStroke_ = false;
+  std::optional<std::size_t> lightHandle_;  // under the pointer, or dragged
+  bool lightBehind_ = false;                // it was behind the clay when it was taken
+  Studio studioSeen_;
   std::optional<int> boxHandle_;  // under the pointer, or dragged
   std::vector<StrokePoint> points_;
 

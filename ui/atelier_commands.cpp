@@ -339,11 +339,9 @@ void Atelier::runView(Command command) {
   const ViewState before = view;
   switch (command) {
     case Command::undoView:
-      views_.undo(view);
-      return updateHover();
+      return changeSight(&ViewHistory::undo);
     case Command::redoView:
-      views_.redo(view);
-      return updateHover();
+      return changeSight(&ViewHistory::redo);
     case Command::frameAll:
       frameAll();
       break;

@@ -77,6 +77,7 @@ void Atelier::openScene(const fs::path& path) {
 SceneParts Atelier::parts() const {
   SceneParts parts;
   parts.view.camera = sceneCameraOf(view);
+  parts.view.lights = keptLights();
   parts.view.workspace = options.boxSize;
   if (thumbnail) parts.thumbnail = thumbnail();
   return parts;

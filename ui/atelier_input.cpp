@@ -34,6 +34,7 @@ void Atelier::updateHover() {
   hover_.air = onFacingPlane(view, ray, airPoint_.value_or(view.target));
   if (gesture_ == Gesture::boxHandle) return;
   if (gesture_ != Gesture::solid) hoverSolid();
+  findLight();
   boxHandle_.reset();
   if (const auto box = boxOutline()) boxHandle_ = handleAt(shotOf(viewFrame()), *box, pointer_);
 }
@@ -46,6 +47,7 @@ Gesture Atelier::gestureFor(Button button, Modifiers with) const {
     if (with.shift) return Gesture::pan;
     return with.ctrl ? Gesture::zoom : Gesture::orbit;
   }
+  if (button == Button::left && lightHandle_) return Gesture::lightHandle;
   if (button == Button::left && boxHandle_) return Gesture::boxHandle;
   if (button == Button::left && supportAt(pointer_)) return Gesture::support;
   if (button == Button::left && mode_ == WorkMode::solid) return Gesture::solid;
@@ -107,6 +109,9 @@ void Atelier::dragTo(glm::dvec2 to) {
       break;
     case Gesture::light:
       turnLight(to - pointer_);
+      return;
+    case Gesture::lightHandle:
+      dragLight(to);
       return;
     case Gesture::boxHandle:
       dragBox(to - pointer_);
@@ -199,8 +204,6 @@ bool Atelier::key(const Chord& chord, bool repeated) {
   if (isPossible(*command)) run(*command);
   return true;
 }
-
-void Atelier::turnLight(glm::dvec2 by) { options.look.studio.turn += float(by.x * 0.01 / scale_); }
 
 // The side under the pointer follows it along its axis.
 void Atelier::dragBox(glm::dvec2 by) {

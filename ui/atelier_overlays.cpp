@@ -60,7 +60,7 @@ Overlays Atelier::overlays() const {
   addSolid(overlays);
   if (mode_ == WorkMode::solid) return overlays;
   const bool busy = gesture_ == Gesture::orbit || gesture_ == Gesture::pan ||
-                    gesture_ == Gesture::zoom || gesture_ == Gesture::light;
+                    gesture_ == Gesture::zoom || gesture_ == Gesture::light || lightHandle_;
   const bool held = heldTool_ && puckMoves == Moves::tool;
   if ((hover_.inside && !busy && dialog == Dialog::none) || held) {
     if (options.ring) addRings(overlays);
@@ -163,6 +163,7 @@ void Atelier::addStage(Overlays& overlays) const {
     grid.step = std::max(1.0, status_.stage.unit / 4);
     overlays.grid = grid;
   }
+  overlays.lights = lightMarks();
   overlays.pictures = options.references;
   overlays.box = boxOutline();
 }

@@ -161,8 +161,8 @@ constexpr auto kCommands = std::to_array<CommandRow>({
     {orbitDown, view, "orbit_down", "Turn down", "Turns the view by 15°.", "Num 2", "Num 2"},
     {projection, view, "projection", "Parallel lines",
      "Switches between perspective and parallel projection.", "Num 5", "Num 5"},
-    {nextEnvironment, view, "next_look", "Next look", "Clay, glaze, chrome, glass, wax, jade.", "N",
-     "N"},
+    {nextEnvironment, view, "next_look", "Next look",
+     "Without surroundings, chrome, plastic, glaze: the modes of environment mapping.", "N", "N"},
     {wireframe, view, "wireframe", "Wireframe", "Shows the triangles.", "W", "Shift+F"},
     {workspaceBox, view, "box", "Workspace box", "A box around the clay.", "B", "B"},
     {fitBox, view, "fit_box", "Fit the box", "Puts the box around the clay.", "Shift+B", "Shift+B"},
@@ -185,8 +185,8 @@ std::span<const CommandRow> commandTable() { return kCommands; }
 const CommandRow& rowOf(Command command) { return kCommands[static_cast<std::size_t>(command)]; }
 
 std::string_view toText(CommandGroup group) {
-  constexpr std::array<std::string_view, 9> names{"File", "Edit", "Tools", "Stroke",
-                                                  "Move", "Clay", "View",  "Help"};
+  constexpr auto names = std::to_array<std::string_view>(
+      {"File", "Edit", "Tools", "Stroke", "Move", "Clay", "Solid", "View", "Help"});
   return names[static_cast<std::size_t>(group)];
 }
 

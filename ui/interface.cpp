@@ -196,6 +196,7 @@ Publication Interface::frame(glm::dvec2 size, double now) {
 void Interface::build() {
   const PanelContext context{*atelier_, layout_, pictures, figures};
   drawViewportMarks(context);
+  atelier_->lightsOpen = false;  // whoever draws their section says so
   if (atelier_->panelsShown && !atelier_->fullScreen) {
     drawTopBar(context);
     drawToolColumn(context);

@@ -195,7 +195,8 @@ void drawProperties(const PanelContext& context) {
   if (!solid && section("Placement", false)) placementSection(atelier);
   if (!solid && section("Stroke", false)) strokeSection(atelier);
   if (!solid && section("Symmetry", false)) symmetrySection(atelier);
-  if (section("Lights", false)) lightSection(atelier);
+  atelier.lightsOpen = section("Lights", false);
+  if (atelier.lightsOpen) lightSection(atelier);
   if (section("View", false)) viewSection(atelier);
   if (section("References", false)) referenceSection(atelier);
   if (!solid && section("Held clay", false)) holdSection(atelier);

@@ -44,6 +44,7 @@ std::vector<Hint> draggingHints(Gesture gesture) {
       return {{"", {}, "Let go to do it"}, {"Esc", {}, "As before"}};
     case Gesture::support:
       return {{"", {}, "Moving the support"}};
+    case Gesture::lightHandle:
     case Gesture::light:
       return {{"", {}, "Turning the light"}};
     default:
@@ -85,6 +86,9 @@ std::vector<Hint> restingHints(const Atelier& atelier) {
   const Modifiers held = atelier.held();
   std::vector<Hint> hints;
   if (atelier.mode() == WorkMode::solid) return solidHints(atelier);
+  if (atelier.hoversLight()) {
+    return {{"", MousePart::left, "Move this light; beyond the rim it goes behind the clay"}};
+  }
   if (atelier.hoversSupport()) return {{"", MousePart::left, "Move the support"}};
   const bool turns = sculpt.emptyDrag == EmptyDrag::orbit && !atelier.hover().ground;
   if (blender && held.alt) {

@@ -155,7 +155,7 @@ void frame(ViewState& view, std::span<const CellBounds> boxes, double aspect, do
   view.distance = std::max(tip, 1e-6);
 }
 
-void ViewHistory::moved(const ViewState& before, double seconds) {
+void ViewHistory::moved(const Sight& before, double seconds) {
   if (seconds - last_ > kTogether) {
     past_.push_back(before);
     if (past_.size() > kMostViews) past_.erase(past_.begin());
@@ -164,17 +164,17 @@ void ViewHistory::moved(const ViewState& before, double seconds) {
   last_ = seconds;
 }
 
-bool ViewHistory::undo(ViewState& view) {
+bool ViewHistory::undo(Sight& sight) {
   if (past_.empty()) return false;
-  future_.push_back(std::exchange(view, past_.back()));
+  future_.push_back(std::exchange(sight, past_.back()));
   past_.pop_back();
   last_ = -1e9;
   return true;
 }
 
-bool ViewHistory::redo(ViewState& view) {
+bool ViewHistory::redo(Sight& sight) {
   if (future_.empty()) return false;
-  past_.push_back(std::exchange(view, future_.back()));
+  past_.push_back(std::exchange(sight, future_.back()));
   future_.pop_back();
   last_ = -1e9;
   return true;

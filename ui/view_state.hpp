@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bozzetto/render/camera.hpp"
+#include "bozzetto/render/studio.hpp"
 #include "bozzetto/scene/view.hpp"
 
 namespace bozzetto::ui {
@@ -66,16 +67,22 @@ void zoom(ViewState& view, const Extent& extent, double notches, glm::dvec2 pixe
 /// Keeps direction and projection; shows all boxes (world units) as large as `fill` allows.
 void frame(ViewState& view, std::span<const CellBounds> boxes, double aspect, double fill = 0.86);
 
-/// Views one has looked from, separate from the clay's history.
+/// From where one looks, and in what light.
+struct Sight {
+  ViewState view;
+  Studio studio;
+};
+
+/// Sights one has had, separate from the clay's history.
 class ViewHistory {
  public:
-  /// Remembers where the view was before it moved; small moves that follow each other are one.
-  void moved(const ViewState& before, double seconds);
-  bool undo(ViewState& view);
-  bool redo(ViewState& view);
+  /// Remembers what was before it changed; small changes that follow each other are one.
+  void moved(const Sight& before, double seconds);
+  bool undo(Sight& sight);
+  bool redo(Sight& sight);
 
  private:
-  std::vector<ViewState> past_, future_;
+  std::vector<Sight> past_, future_;
   double last_ = -1e9;
 };
 

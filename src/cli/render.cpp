@@ -37,21 +37,11 @@ std::pair<int, int> parseSize(const std::string& text) {
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-glm::vec3 linear(Colour colour) {
-  const auto channel = [](std::uint8_t v) { return std::pow(float(v) / 255, 2.2f); };
-  return {channel(colour.r), channel(colour.g), channel(colour.b)};
-}
-
-// The scene's own lights where it has some: as bright as the studio's key at intensity 1.
+// The scene's own lights where it has some.
 std::vector<StudioLight> lightsOf(const View& view) {
-  constexpr float kKeyBrightness = 2.2f;
   std::vector<StudioLight> lights;
   for (const Light& light : view.lights) {
-    StudioLight studio;
-    studio.towards = light.towards;
-    studio.colour = linear(light.colour) * (kKeyBrightness * float(light.intensity));
-    studio.wrap = .05f + .5f * float(light.softness);
-    lights.push_back(studio);
+    lights.push_back(studioLight({light.towards, light.colour, light.intensity, light.softness}));
     if (light.castsShadow) std::swap(lights.front(), lights.back());
   }
   return lights;

@@ -107,6 +107,48 @@ void setLight(StudioBlock& block, std::size_t n, const StudioLight& light, vec3 
 
 }  // namespace
 
+vec3 towardsInWorld(const Studio& studio, std::size_t n, const glm::mat3& worldFromView) {
+  return worldFromView * viewTowards(studio.lights.at(n), studio.turn, worldFromView);
+}
+
+void aimLight(Studio& studio, std::size_t n, const vec3& towards, const glm::mat3& worldFromView) {
+  StudioLight& light = studio.lights.at(n);
+  const bool withView = light.frame == LightFrame::view;
+  light.towards = withView ? turned(glm::transpose(worldFromView) * towards, -studio.turn)
+                           : glm::normalize(towards);
+}
+
+namespace {
+
+constexpr float kKeyBrightness = 2.2f, kGamma = 2.2f, kHardWrap = .05f, kSoftWrap = .5f;
+
+}  // namespace
+
+StudioLight studioLight(const PlainLight& plain) {
+  const auto linear = [](std::uint8_t v) { return std::pow(float(v) / 255, kGamma); };
+  const Colour& c = plain.colour;
+  StudioLight light;
+  light.towards = plain.towards;
+  light.colour =
+      vec3(linear(c.r), linear(c.g), linear(c.b)) * (kKeyBrightness * float(plain.intensity));
+  light.wrap = kHardWrap + kSoftWrap * float(plain.softness);
+  return light;
+}
+
+PlainLight plainLight(const StudioLight& light) {
+  const vec3& c = light.colour;
+  const float most = std::max({c.r, c.g, c.b, 1e-6f});
+  const auto byte = [&](float v) {
+    return std::uint8_t(std::lround(255 * std::pow(std::max(v, 0.f) / most, 1 / kGamma)));
+  };
+  PlainLight plain;
+  plain.towards = light.towards;
+  plain.colour = Colour{byte(c.r), byte(c.g), byte(c.b)};
+  plain.intensity = double(most) / double(kKeyBrightness);
+  plain.softness = std::clamp(double((light.wrap - kHardWrap) / kSoftWrap), 0., 1.);
+  return plain;
+}
+
 Studio::Studio(Environment which) : lights(lightsFor(which)), environment(which) {}
 
 Environment parseEnvironment(std::string_view name) {

@@ -112,29 +112,29 @@ TEST(Orbit, trackballComesBackOnTheSameWay) {
 
 TEST(ViewHistory, movesThatFollowEachOtherAreOne) {
   ViewHistory history;
-  ViewState view;
+  Sight sight;
   const auto move = [&](double seconds) {
-    history.moved(std::exchange(view,
+    history.moved(std::exchange(sight,
                                 [&] {
-                                  ViewState next = view;
-                                  next.distance += 1;
+                                  Sight next = sight;
+                                  next.view.distance += 1;
                                   return next;
                                 }()),
                   seconds);
   };
-  view.distance = 10;
+  sight.view.distance = 10;
   move(1.0);
   move(1.1);
   move(5.0);
-  ASSERT_TRUE(history.undo(view));
-  EXPECT_EQ(view.distance, 12);
-  ASSERT_TRUE(history.undo(view));
-  EXPECT_EQ(view.distance, 10);
-  EXPECT_FALSE(history.undo(view));
-  ASSERT_TRUE(history.redo(view));
-  ASSERT_TRUE(history.redo(view));
-  EXPECT_EQ(view.distance, 13);
-  EXPECT_FALSE(history.redo(view));
+  ASSERT_TRUE(history.undo(sight));
+  EXPECT_EQ(sight.view.distance, 12);
+  ASSERT_TRUE(history.undo(sight));
+  EXPECT_EQ(sight.view.distance, 10);
+  EXPECT_FALSE(history.undo(sight));
+  ASSERT_TRUE(history.redo(sight));
+  ASSERT_TRUE(history.redo(sight));
+  EXPECT_EQ(sight.view.distance, 13);
+  EXPECT_FALSE(history.redo(sight));
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ killWindow() {
 recovery() {
   local killed="$work/killed.bzt" before after
   cp "$work/scene.bzt" "$killed"
-  closeWindow
+  killWindow  # it may well be asking whether to save
   openWindow "$killed"
   drag 500 400 580 420
   drag 500 440 560 470

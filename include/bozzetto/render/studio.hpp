@@ -1,9 +1,12 @@
 // Lights and surroundings of the clay, as values: what a person may move, colour and choose.
 #pragma once
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string_view>
 #include <vector>
+
+#include "bozzetto/base/colour.hpp"
 
 namespace bozzetto {
 
@@ -50,5 +53,22 @@ struct Studio {
   explicit Studio(Environment environment);
   friend bool operator==(const Studio&, const Studio&) = default;
 };
+
+/// Where light `n` comes from, length 1, in the world; the studio's turn included.
+glm::vec3 towardsInWorld(const Studio& studio, std::size_t n, const glm::mat3& worldFromView);
+/// Makes it come from there.
+void aimLight(Studio& studio, std::size_t n, const glm::vec3& towards,
+              const glm::mat3& worldFromView);
+
+/// A light as documents keep it: far away, fixed to the view.
+struct PlainLight {
+  glm::vec3 towards{0, 1, 0};
+  Colour colour{255, 255, 255};
+  double intensity = 1;  ///< 1: as bright as the photo studio's key
+  double softness = 0;   ///< 0 a point … 1 half the sky
+};
+StudioLight studioLight(const PlainLight& plain);
+/// What `plain` keeps of it: neither its box nor its distance.
+PlainLight plainLight(const StudioLight& light);
 
 }  // namespace bozzetto
