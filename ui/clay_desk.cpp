@@ -247,6 +247,7 @@ bool ClayDesk::settle() {
     case Rest::nothing:
       break;
   }
+  if (!ownPlace_) session_->keepParts();
   return false;
 }
 

@@ -60,8 +60,9 @@ void ClayDesk::lay(Session session) {
   for (const Step& step : history().steps()) pictureless_.push_back(step.number);
   OpenedDocument opened{session_->parts, session_->findings()};
   const auto saved = history().savedState();
-  opened.canGoBack = saved && *saved != history().place();
-  opened.surprising = opened.findings.recovered && !session_->path().empty();
+  const bool elsewhere = saved != history().place();
+  opened.canGoBack = saved && elsewhere;
+  opened.surprising = opened.findings.recovered && elsewhere && !session_->path().empty();
   out_.opened = std::move(opened);
   for (const std::string& notice : session_->findings().notices) note(notice);
   showAll();
@@ -204,25 +205,26 @@ Keeping ClayDesk::keeping() const {
   keeping.modified = ownPlace_ ? status_.keeping.modified : isModified();
   keeping.readOnly = session_->findings().readOnly;
   keeping.kept = steps.onDisk() && steps.durableMoment() >= steps.moment();
-  keeping.trouble = steps.trouble();
+  keeping.trouble = session_->trouble();
   if (saving_) keeping.saving = std::floor(saving_->job.done() * 20) / 20;
   return keeping;
 }
 
 void ClayDesk::lookAfter() {
   if (saving_ && saving_->job.finished()) return endSaving();
+  if (!session_->trouble().empty() && !ownPlace_) session_->keepParts();
   if (!(keeping() == status_.keeping)) tellStatus();
 }
 
 bool ClayDesk::isWaiting() const {
   const History<8>& steps = history();
   return saving_ ||
-         (steps.onDisk() && steps.trouble().empty() && steps.durableMoment() < steps.moment());
+         (steps.onDisk() && session_->trouble().empty() && steps.durableMoment() < steps.moment());
 }
 
 std::optional<std::chrono::milliseconds> ClayDesk::patience() const {
   if (isWaiting()) return std::chrono::milliseconds(15);
-  if (!history().trouble().empty()) return std::chrono::milliseconds(1000);
+  if (!session_->trouble().empty()) return std::chrono::milliseconds(1000);
   return std::nullopt;
 }
 

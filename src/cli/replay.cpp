@@ -88,7 +88,9 @@ std::vector<OperationReport> replayInPlace(const Arguments& arguments, const Rec
     throw Error(arguments.on + ": another program has it open, or its history cannot be written");
   }
   const auto tell = [&](std::size_t number) {
+    session.keepParts();
     session.sculptor().history().waitDurable();
+    if (const std::string trouble = session.trouble(); !trouble.empty()) throw Error(trouble);
     fmt::print("done {}\n", number);
     std::fflush(stdout);
   };

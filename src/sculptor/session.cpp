@@ -6,6 +6,7 @@
 
 #include "bozzetto/history/copy.hpp"
 #include "bozzetto/solid/solid_codec.hpp"
+#include "sculptor/kept_parts.hpp"
 
 namespace bozzetto {
 namespace fs = std::filesystem;
@@ -66,6 +67,7 @@ fs::path historyFolderOf(const fs::path& scene) { return scene.string() + kEndin
 Document asCopy(Document document) {
   document.parts.identity = SceneIdentity::random();
   document.parts.settings.erase(kPlaceSetting);
+  takeSaves(document.parts);
   return document;
 }
 
@@ -73,6 +75,8 @@ Document asCopy(Document document) {
 struct Session::Opened {
   OpenedHistory<8> history;
   SceneParts parts;
+  int saves = 0;
+  std::optional<SceneParts> kept;  // of after the save
   SceneFile file;
 };
 
@@ -85,10 +89,35 @@ Session::Session(fs::path path, Opened opened, const SessionOptions& options)
                 opened.history.readOnly, std::move(opened.history.notices)},
       file_(std::move(opened.file)),
       savedParts_(parts),
+      saves_(opened.saves),
+      kept_(std::make_unique<KeptParts>(*options.files)),
       sculptor_(std::move(opened.history.field), std::move(opened.history.history),
                 options.upkeep) {
-  sculptor_.tools().shelf = parts.shelf;
-  sculptor_.place(parts.supports);
+  if (opened.kept) opened.kept->thumbnail = parts.thumbnail;
+  if (opened.kept && *opened.kept != parts) {
+    findings_.recovered = true;
+    findings_.notices.push_back("Shelf, supports and settings that were not saved are back");
+    parts = std::move(*opened.kept);
+  }
+  give(parts);
+  kept_->begin(parts);
+}
+
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
+// To the sculptor, whose business they are from now on.
+void Session::give(const SceneParts& given) {
+  sculptor_.tools().shelf = given.shelf;
+  sculptor_.place(given.supports);
+}
+
+SceneParts Session::partsNow() const {
+  SceneParts now = parts;
+  now.shelf = sculptor_.tools().shelf;
+  now.supports = sculptor_.clay().supports;
+  return now;
 }
 
 Session Session::begin(const fs::path& scene, HistoryAccess access, const SessionOptions& options,
@@ -99,8 +128,10 @@ Session Session::begin(const fs::path& scene, HistoryAccess access, const Sessio
   SceneFile file(files);
   std::vector<std::string> notices;
   bool old = false;
+  std::optional<int> saves;
   try {
     Document document = file.load(scene, progress);
+    saves = takeSaves(document.parts);
     old = outlived(scene, document.parts, files);
     saved = takeSaved(document, scene);
     parts = std::move(document.parts);
@@ -127,8 +158,12 @@ Session Session::begin(const fs::path& scene, HistoryAccess access, const Sessio
     opened.readOnly = true;
     notices.push_back(error.what());
   }
+  auto kept = KeptParts::find(folder.path, parts.identity, saves, files, notices);
   opened.notices.insert(opened.notices.begin(), notices.begin(), notices.end());
-  return {scene, Opened{std::move(opened), std::move(parts), std::move(file)}, options};
+  return {scene,
+          Opened{std::move(opened), std::move(parts), saves.value_or(0), std::move(kept),
+                 std::move(file)},
+          options};
 }
 
 Session Session::open(const fs::path& scene, const SessionOptions& options, Progress& progress) {
@@ -153,13 +188,13 @@ Session Session::create(const fs::path& scene, const SessionOptions& options) {
   OpenedHistory<8> opened =
       openHistory<8>(folderFor(path, parts, files), {}, HistoryAccess::write, options.limits);
   if (opened.readOnly) throw Error(path.string() + ": another program has it open");
-  return {path, Opened{std::move(opened), std::move(parts), SceneFile(files)}, options};
+  return {path, Opened{std::move(opened), std::move(parts), 0, {}, SceneFile(files)}, options};
 }
 
 Session Session::inMemory(const SessionOptions& options) {
   OpenedHistory<8> opened;
   opened.history = History<8>(options.limits);
-  Session session({}, Opened{std::move(opened), {}, SceneFile(*options.files)}, options);
+  Session session({}, Opened{std::move(opened), {}, 0, {}, SceneFile(*options.files)}, options);
   session.named_ = false;
   return session;
 }
@@ -186,10 +221,9 @@ std::vector<fs::path> Session::leftBehind(FileSystem& files) {
 }
 
 Document Session::document() const {
-  Document document{sculptor_.field(), parts};
-  document.parts.shelf = sculptor_.tools().shelf;
+  Document document{sculptor_.field(), partsNow()};
   document.parts.solid = encodeSolid(sculptor_.solid());
-  document.parts.supports = sculptor_.clay().supports;
+  putSaves(document.parts, saves_ + 1);
   document.parts.settings[kPlaceSetting] = sculptor_.history().savePlace().text();
   return document;
 }
@@ -201,16 +235,26 @@ bool Session::untouched() const {
 }
 
 bool Session::saved() const {
-  SceneParts now = parts;
-  now.shelf = sculptor_.tools().shelf;
-  now.supports = sculptor_.clay().supports;
-  return now == savedParts_ && (sculptor_.history().atSaved() || untouched());
+  return partsNow() == savedParts_ && (sculptor_.history().atSaved() || untouched());
 }
 
 void Session::markSaved(const Document& document) {
   savedParts_ = document.parts;
   savedParts_.solid.clear();
+  saves_ = takeSaves(savedParts_);
   sculptor_.history().markSaved(takePlace(savedParts_));
+  kept_->drop(sculptor_.history().folder(), savedParts_);
+  keepParts();
+}
+
+void Session::keepParts() {
+  if (!sculptor_.history().onDisk()) return;
+  kept_->keep(sculptor_.history().folder(), partsNow(), saves_);
+}
+
+std::string Session::trouble() const {
+  std::string trouble = sculptor_.history().trouble();
+  return trouble.empty() ? kept_->trouble() : trouble;
 }
 
 void Session::requireSavable() const {
@@ -262,6 +306,8 @@ void Session::discard(Session session) {
   if (hasFile) {
     const auto saved = session.sculptor_.history().savedState();
     if (saved) session.sculptor_.apply(GoToOperation{*saved});
+    session.give(session.savedParts_);
+    session.kept_->drop(folder, session.savedParts_);
     return;
   }
   { const Session ended = std::move(session); }

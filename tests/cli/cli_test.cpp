@@ -169,6 +169,10 @@ struct Refusal {
   const char* arguments;  ///< FOLDER stands for the test's folder
   int code;
   const char* tells;
+
+  friend std::ostream& operator<<(std::ostream& out, const Refusal& refusal) {
+    return out << refusal.arguments;
+  }
 };
 
 class Refusals : public ::testing::TestWithParam<Refusal> {};

@@ -75,6 +75,19 @@ TEST_F(InFolder, whatWasNotSavedComesBackWithTheWindow) {
   EXPECT_DOUBLE_EQ(window.mass(), mass);
 }
 
+TEST_F(InFolder, supportsThatWereNotSavedComeBackToo) {
+  savedScene();
+  {
+    NullWindow window(scene_);
+    window.atelier_.apply(SupportOperation{});
+    window.settle();
+  }
+  NullWindow window(scene_);
+  EXPECT_EQ(window.atelier_.status().clay.supports.size(), 1u);
+  EXPECT_EQ(window.atelier_.dialog, Dialog::none) << "the clay is as it was saved";
+  EXPECT_TRUE(window.atelier_.isModified());
+}
+
 TEST_F(InFolder, theSavedFileIsAStepAway) {
   crashedScene();
   NullWindow window(scene_);

@@ -3,6 +3,7 @@
 // changes when it is saved. Window and command line work through this.
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "bozzetto/sculptor/sculptor.hpp"
 
 namespace bozzetto {
+
+class KeptParts;
 
 struct SessionOptions {
   HistoryLimits limits;
@@ -51,6 +54,10 @@ class Session {
   /// for it.
   static Session inMemory(const SessionOptions& options = {});
 
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+  ~Session();
+
   /// Documents without a name that were not saved when their program ended: for `open`.
   static std::vector<std::filesystem::path> leftBehind(FileSystem& files = FileSystem::real());
   /// One of these goes for good, unless somebody has it open.
@@ -66,6 +73,12 @@ class Session {
   /// All but clay and solid; whoever has them changes them. But for the shelf, which is the
   /// sculptor's: here it stays as it was opened.
   SceneParts parts;
+
+  /// Puts what is neither clay nor solid (shelf, supports, settings) on the disk where it changed
+  /// since the last call, so that a crash does not take it. Costs a comparison where nothing did.
+  void keepParts();
+  /// What keeps the disk from being up to date, for people; empty when all is well.
+  std::string trouble() const;
 
   /// Everything to save, as it is now. Costs pointers.
   Document document() const;
@@ -97,6 +110,8 @@ class Session {
                        const SessionOptions& options, Progress& progress);
 
   bool untouched() const;
+  SceneParts partsNow() const;
+  void give(const SceneParts& parts);
   void bringHistoryTo(const std::filesystem::path& folder, const Document& document);
 
   std::filesystem::path path_;  // of a document without a name: where it would be
@@ -105,6 +120,8 @@ class Session {
   SessionFindings findings_;
   SceneFile file_;
   SceneParts savedParts_;
+  int saves_ = 0;  // of the file, as far as it knows
+  std::unique_ptr<KeptParts> kept_;
   Sculptor sculptor_;
 };
 
