@@ -61,6 +61,7 @@ Publication Atelier::poll() {
   if (fresh.solid) {
     solidShown_ = *fresh.solid;
     previewing_ = false;
+    keepCurve();
     if (gesture_ != Gesture::solid) hoverSolid();
   }
   watchLights();

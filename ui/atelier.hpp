@@ -162,6 +162,9 @@ class Atelier {
   const std::shared_ptr<const SolidShown>& solidShown() const { return solidShown_; }
   /// What lies under the pointer.
   const SolidHit& solidHit() const { return solidHit_; }
+  /// The curve in the making, with the places of its controls as they are dragged now.
+  const SolidCurve& curve() const { return curve_; }
+  std::vector<glm::dvec3> curveControls() const;
   /// What the tool in hand takes.
   Element solidElement() const;
   /// Shows it as `solid` says now.
@@ -298,7 +301,9 @@ class Atelier {
   void keep(ShelfKeepOperation operation);
   bool runClay(Command command);
   bool runSolid(Command command);
-  std::vector<SolidHit> solidAlong(Element element) const;
+  PickRay solidRay() const;
+  SolidHit controlUnder() const;
+  SolidHit massUnder() const;
   void hoverSolid();
   bool beginSolid();
   void dragSolid(glm::dvec2 to);
@@ -310,6 +315,12 @@ class Atelier {
   void wrapClay();
   void applyWrap();
   void bakeSolid();
+  std::vector<glm::dvec3> curvePlaces() const;
+  bool beginCurve();
+  void hoverCurve();
+  void keepCurve();
+  void dropCurve();
+  void addCurve(Overlays& overlays) const;
   void addSolid(Overlays& overlays) const;
   void addSolidHit(Overlays& overlays) const;
   void relax();
@@ -344,6 +355,8 @@ class Atelier {
   SolidHit solidHit_;
   glm::dvec3 dragged_{0};  // where the hand has taken the hit
   std::optional<glm::dvec3> joinFrom_;
+  SolidCurve curve_;
+  std::vector<glm::dvec3> curveStart_;  // where its points were when the drag began
   bool previewing_ = false;
   bool heldStroke_ = false;
   std::optional<std::size_t> lightHandle_;  // under the pointer, or dragged

@@ -180,6 +180,7 @@ void Atelier::moveToolDepth(double notches) {
 bool Atelier::key(const Chord& chord, bool repeated) {
   touch();
   if (chord.key == KeyCode::escape) {
+    if (gesture_ == Gesture::none) dropCurve();
     cancelStroke();
     cancelSolid();
     joinFrom_.reset();

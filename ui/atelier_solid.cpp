@@ -9,17 +9,6 @@ namespace {
 
 constexpr double kReachPixels = 12;
 
-Polyline lineOf(std::vector<glm::dvec3> points, Ink colour, float width) {
-  Polyline line;
-  line.points = std::move(points);
-  line.ink = colour;
-  line.width = width;
-  return line;
-}
-
-constexpr Ink kLattice{.373f, .722f, .788f, .9f}, kWires{.09f, .11f, .14f, .38f};
-constexpr Ink kChosen{.941f, .541f, .365f, 1};
-
 }  // namespace
 
 void Atelier::setMode(WorkMode mode) {
@@ -37,17 +26,36 @@ void Atelier::tellSolid() {
       [wish = SolidWish{solid.map, sculpt.colour}](ClayDesk& desk) { desk.showSolid(wish); });
 }
 
-std::vector<SolidHit> Atelier::solidAlong(Element element) const {
-  std::vector<SolidHit> hits;
-  if (!solidShown_) return hits;
+PickRay Atelier::solidRay() const {
   const Ray ray = rayThrough(view, extent_, pointer_);
   PickRay along{ray.origin, ray.direction};
   const double depth = std::max(glm::length(view.eye() - view.target), 1e-9);
   along.reach = kReachPixels * scale_ * unitsPerPixel(view, extent_, view.target) / depth;
-  for (const Picked& picked :
-       pickAlong(solidShown_->control(), solidShown_->topology, element, along))
-    hits.push_back({picked.element, ray.origin + ray.direction * picked.depth});
-  return hits;
+  return along;
+}
+
+SolidHit Atelier::controlUnder() const {
+  const PickRay ray = solidRay();
+  const auto picked = pickAlong(solidShown_->control(), solidShown_->topology, solidElement(), ray);
+  if (picked.empty()) return {};
+  const Id n = picked.front().element;
+  // A point is taken where it is, not where the ray passes it.
+  if (solidElement() == Element::point) return {n, solidShown_->control().points[n]};
+  return {n, ray.origin + ray.direction * picked.front().depth};
+}
+
+SolidHit Atelier::massUnder() const {
+  const Lattice& mass = solidShown_->mass;
+  const PickRay ray = solidRay();
+  const auto picked = pickAlong(mass, solidShown_->topology, Element::face, ray);
+  if (picked.empty()) return {};
+  SolidHit hit{kNoId, ray.origin + ray.direction * picked.front().depth};
+  for (const Id n : mass.faces[picked.front().element]) {
+    const double distance = glm::distance(mass.points[n], hit.place);
+    if (hit.element == kNoId || distance < glm::distance(mass.points[hit.element], hit.place))
+      hit.element = n;
+  }
+  return hit;
 }
 
 Element Atelier::solidElement() const {
@@ -56,31 +64,35 @@ Element Atelier::solidElement() const {
 
 void Atelier::hoverSolid() {
   solidHit_ = {};
-  if (mode_ != WorkMode::solid) return;
-  const auto hits = solidAlong(solidElement());
-  if (hits.empty()) return;
-  solidHit_ = hits.front();
-  // A point is taken where it is, not where the ray passes it.
-  if (solidElement() == Element::point) {
-    solidHit_.place = solidShown_->control().points[solidHit_.element];
-  }
+  curve_.handle.reset();
+  if (mode_ != WorkMode::solid || !solidShown_) return;
+  const SolidToolRow& row = rowOf(solid.tool);
+  solidHit_ = row.reach == SolidReach::control ? controlUnder() : massUnder();
+  const bool takesPoint = row.grip == SolidGrip::drag || row.grip == SolidGrip::curve;
+  if (row.reach == SolidReach::surface && takesPoint && solidHit_.element != kNoId)
+    solidHit_.place = solidShown_->mass.points[solidHit_.element];
+  if (row.grip == SolidGrip::curve) hoverCurve();
 }
 
 bool Atelier::beginSolid() {
   hoverSolid();
+  const SolidGrip grip = rowOf(solid.tool).grip;
+  if (grip == SolidGrip::curve) return beginCurve();
   if (solidHit_.element == kNoId) return false;
   dragged_ = solidHit_.place;
-  if (rowOf(solid.tool).grip == SolidGrip::drag) return true;
+  if (grip == SolidGrip::drag) return true;
   workSolid();
-  return rowOf(solid.tool).grip == SolidGrip::brush;
+  return grip == SolidGrip::brush;
 }
 
 // A click or a dab of a brush.
 void Atelier::workSolid() {
   const bool inverse = heldMeaning() == Held::invert;
-  const glm::dvec3 at =
-      middleOf(solidShown_->control(), solidShown_->topology, solidElement(), solidHit_.element);
   const glm::dvec3& place = solidHit_.place;
+  const glm::dvec3 at = rowOf(solid.tool).reach == SolidReach::surface
+                            ? place
+                            : middleOf(solidShown_->control(), solidShown_->topology,
+                                       solidElement(), solidHit_.element);
   switch (solid.tool) {
     case SolidTool::carve:
       return applySolid(SolidCarveOperation{at});
@@ -110,6 +122,7 @@ void Atelier::workSolid() {
       return applySolid(SolidProbeOperation{place, solid.radius});
     case SolidTool::move:
     case SolidTool::rope:
+    case SolidTool::spline:
       return;
   }
 }
@@ -118,8 +131,10 @@ void Atelier::applySolid(const Operation& operation) { apply(operation); }
 
 // What a drag of the hand from `solidHit_` to `dragged_` means.
 Operation Atelier::solidDrag() const {
-  if (solid.tool == SolidTool::move)
-    return SolidMoveOperation{solidHit_.element, dragged_ - solidHit_.place};
+  const glm::dvec3 by = dragged_ - solidHit_.place;
+  if (solid.tool == SolidTool::move) return SolidMoveOperation{solidHit_.element, by};
+  if (solid.tool == SolidTool::spline)
+    return SolidSplineOperation{curveStart_, {{*curve_.handle, by}}, solid.steps};
   SolidPullOperation pull;
   pull.ropes = {{solidHit_.place, dragged_}};
   pull.steps = solid.steps;
@@ -127,8 +142,8 @@ Operation Atelier::solidDrag() const {
 }
 
 void Atelier::dragSolid(glm::dvec2 to) {
-  const SolidGrip grip = rowOf(solid.tool).grip;
-  if (grip == SolidGrip::drag) {
+  pointer_ = to;
+  if (rowOf(solid.tool).grip != SolidGrip::brush) {
     dragged_ = onFacingPlane(view, rayThrough(view, extent_, to), solidHit_.place);
     if (previewing_) return;  // the next one when this has arrived
     previewing_ = true;
@@ -136,16 +151,15 @@ void Atelier::dragSolid(glm::dvec2 to) {
     return;
   }
   // A dab every half radius.
-  pointer_ = to;
-  const auto hits = solidAlong(Element::face);
-  if (hits.empty() || glm::distance(hits.front().place, dragged_) < solid.radius / 2) return;
-  solidHit_ = hits.front();
-  dragged_ = solidHit_.place;
+  const SolidHit hit = massUnder();
+  if (hit.element == kNoId || glm::distance(hit.place, dragged_) < solid.radius / 2) return;
+  solidHit_ = hit;
+  dragged_ = hit.place;
   workSolid();
 }
 
 void Atelier::endSolid() {
-  if (rowOf(solid.tool).grip == SolidGrip::drag && dragged_ != solidHit_.place)
+  if (rowOf(solid.tool).grip != SolidGrip::brush && dragged_ != solidHit_.place)
     applySolid(solidDrag());
   previewing_ = false;
 }
@@ -155,65 +169,6 @@ void Atelier::cancelSolid() {
   gesture_ = Gesture::none;
   previewing_ = false;
   tellSolid();
-}
-
-void Atelier::addSolid(Overlays& overlays) const {
-  if (mode_ != WorkMode::solid || !solidShown_) return;
-  const double spacing = status_.scale.spacing;
-  const Lattice& control = solidShown_->control();
-  const Topology& topology = solidShown_->topology;
-  if (solid.wires && solid.surface) {
-    for (const auto& wire : solidShown_->wires) {
-      Polyline line = lineOf({wire[0] / spacing, wire[1] / spacing}, kWires, 1);
-      line.hidden = 0;
-      overlays.lines.push_back(std::move(line));
-    }
-  }
-  if (solid.lattice) {
-    for (const auto& [a, b] : topology.edges)
-      overlays.lines.push_back(
-          lineOf({control.points[a] / spacing, control.points[b] / spacing}, kLattice, 1.3f));
-    for (const auto& [a, b] : control.sharpEdges)
-      overlays.lines.push_back(
-          lineOf({control.points[a] / spacing, control.points[b] / spacing}, kChosen, 2.2f));
-  }
-  addSolidHit(overlays);
-}
-
-// What the tool would take.
-void Atelier::addSolidHit(Overlays& overlays) const {
-  if (solidHit_.element == kNoId || !hover_.inside) return;
-  const double spacing = status_.scale.spacing;
-  const Lattice& control = solidShown_->control();
-  const Topology& topology = solidShown_->topology;
-  const auto edge = [&](Id n) {
-    const auto& [a, b] = topology.edges[n];
-    overlays.lines.push_back(
-        lineOf({control.points[a] / spacing, control.points[b] / spacing}, kChosen, 3));
-  };
-  switch (solidElement()) {
-    case Element::cell:
-      for (const Id n : topology.cellEdges[solidHit_.element]) edge(n);
-      break;
-    case Element::face:
-      if (rowOf(solid.tool).grip != SolidGrip::click || solid.tool == SolidTool::probe) break;
-      for (const Id n : topology.faceEdges[solidHit_.element]) edge(n);
-      break;
-    case Element::edge:
-      edge(solidHit_.element);
-      break;
-    case Element::point:
-      break;
-  }
-  if (gesture_ == Gesture::solid && rowOf(solid.tool).grip == SolidGrip::drag)
-    overlays.lines.push_back(lineOf({solidHit_.place / spacing, dragged_ / spacing}, kChosen, 2));
-  if (rowOf(solid.tool).grip != SolidGrip::brush) return;
-  RingCursor ring;
-  ring.centre = solidHit_.place / spacing;
-  ring.normal = view.back();
-  ring.radius = solid.radius / spacing;
-  ring.on = RingCursor::On::air;
-  overlays.rings.push_back(ring);
 }
 
 void Atelier::makeBlock() {
@@ -260,6 +215,7 @@ bool Atelier::runSolid(Command command) {
     solid.tool = SolidTool(int(command) - int(Command::solidMove));
     solidHit_ = {};
     joinFrom_.reset();
+    dropCurve();
     return true;
   }
   switch (command) {

@@ -29,6 +29,7 @@ void ClayDesk::apply(const Operation& operation, Progress& progress) {
   heldTool_ = heldAction_ = heldClay_ = "";  // some operations change the hand
   Telling telling(progress, *this);
   status_.last = bench().apply(operation, telling);
+  if (status_.last.physics) solidRan_ = status_.last.physics;
   recording_.operations.push_back(operation);
   ++status_.version;
   if (newestStep() != newest) status_.lastEditStep = history().place();

@@ -153,6 +153,7 @@ class ClayDesk {
   SolidWish solidWish_;
   SolidRef solidTold_;  // what the window shows
   double solidSpacing_ = 0;
+  std::optional<RunReport> solidRan_;  // the last physics, also of a preview
   ShelfPictures pictures_ = ShelfPictures::none;
   std::map<std::string, std::shared_ptr<const Bytes>> starterPictures_;
   ClayStatus status_;

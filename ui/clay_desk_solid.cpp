@@ -14,21 +14,38 @@ void ClayDesk::tellSolid(const SolidRef& solid) {
   const double spacing = bench().field().scale.spacing;
   if (solid == solidTold_ && spacing == solidSpacing_) return;
   solidSpacing_ = spacing;
-  out_.solid = solid ? shownSolid(solid, solidWish_.map, spacing, solidWish_.colour) : nullptr;
   solidTold_ = solid;
+  out_.solid = nullptr;
+  if (!solid) return;
+  auto shown = std::make_shared<SolidShown>(
+      *shownSolid(solid, {solidWish_.map, solidWish_.colour, spacing}));
+  shown->ran = solidRan_;
+  out_.solid = std::move(shown);
 }
 
-// What an operation of a drag would do, without doing it.
+// What an operation of a drag would do, without doing it; physics as long as the hand has patience.
 void ClayDesk::previewSolid(const Operation& drag) {
-  constexpr int kQuickSteps = 6;  // of physics: the hand waits for them
+  constexpr int kFewSteps = 6;      // until it is known what a step takes
+  constexpr double kPatience = 25;  // milliseconds
   if (bench().solid() == nullptr) return;
-  Solid solid = *bench().solid();
+  const Solid& now = *bench().solid();
+  const auto steps = [&](int wanted) {
+    const double step = solidRan_ ? solidRan_->msStep : 0;
+    return std::min(wanted, step > 0 ? std::max(1, int(kPatience / step)) : kFewSteps);
+  };
+  Solid solid;
+  RunReport ran;
   if (const auto* move = std::get_if<SolidMoveOperation>(&drag)) {
+    solid = now;
     solid.control.points.at(std::get<Id>(move->point)) += move->by;
   } else if (const auto* pull = std::get_if<SolidPullOperation>(&drag)) {
-    solid =
-        pulled(solid, pull->ropes, solid.settings.ropeStrength, std::min(pull->steps, kQuickSteps));
+    solid = pulled(now, pull->ropes, now.settings.ropeStrength, steps(pull->steps), &ran);
+  } else if (const auto* bend = std::get_if<SolidSplineOperation>(&drag)) {
+    solid = splined(now, bend->points, bend->drags, steps(bend->steps), &ran);
+  } else {
+    return;
   }
+  if (ran.steps > 0) solidRan_ = ran;
   tellSolid(std::make_shared<const Solid>(std::move(solid)));
 }
 

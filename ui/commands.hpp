@@ -70,6 +70,7 @@ enum class Command {
   solidMode,
   solidMove,
   solidRope,
+  solidSpline,
   solidCarve,
   solidExtrude,
   solidJoin,

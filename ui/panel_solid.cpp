@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ui/panels.hpp"
@@ -53,7 +54,7 @@ void toolOptions(Atelier& atelier) {
   const SolidToolRow& row = rowOf(solid.tool);
   solidCard(row);
   const double cell = atelier.status().scale.spacing;
-  if (row.grip == SolidGrip::brush || solid.tool == SolidTool::probe) {
+  if (row.grip == SolidGrip::brush || row.grip == SolidGrip::touch) {
     slider("Radius", solid.radius, {cell, 128 * cell, "mm", 1, 1, true}, "Of the brush.");
   }
   if (solid.tool == SolidTool::mass || solid.tool == SolidTool::stiffness) {
@@ -71,7 +72,12 @@ void toolOptions(Atelier& atelier) {
       solid.sharpens = Element(what);
     }
   }
-  if (solid.tool == SolidTool::rope || solid.tool == SolidTool::inflate) {
+  if (row.grip == SolidGrip::curve) {
+    factLine("Points", grouped((long long)atelier.curve().points.size()),
+             "Esc lets the curve go, Ctrl and a click takes a point out.");
+  }
+  if (solid.tool == SolidTool::rope || solid.tool == SolidTool::spline ||
+      solid.tool == SolidTool::inflate) {
     count("Steps", solid.steps, {1, 200, "", 1, 0, true}, "Of physics, when the hand lets go.");
   }
 }
@@ -137,18 +143,27 @@ void showSection(Atelier& atelier) {
   if (solid.map != SolidMap::none) mapScale(*atelier.solidShown());
 }
 
-SolidSettingsOperation allOf(const SolidSettings& s) {
-  SolidSettingsOperation all;
-  all.solver = s.solver;
-  all.levels = s.levels;
-  all.timeStep = s.timeStep;
-  all.damping = s.damping;
-  all.stiffness = s.stiffness;
-  all.angular = s.angular;
-  all.ropeStrength = s.ropeStrength;
-  all.creep = s.creep;
-  return all;
-}
+// The numbers among the settings as sliders.
+struct SettingSlider {
+  const char* label;
+  double SolidSettings::*value;
+  Slide slide;
+  const char* tip;
+};
+constexpr std::array<SettingSlider, kSolidNumbers.size()> kSliders{{
+    {"Time step", &SolidSettings::timeStep, {0.01, 4, "", 1, 2, true}, "Of one step of physics."},
+    {"Damping", &SolidSettings::damping, {0, 8, "", 1, 2}, "How soon it comes to rest."},
+    {"Stiffness",
+     &SolidSettings::stiffness,
+     {0.01, 20, "", 1, 2, true},
+     "Of the springs along edges."},
+    {"Bending", &SolidSettings::angular, {0, 5, "", 1, 2}, "Of the springs at corners."},
+    {"Rope", &SolidSettings::ropeStrength, {0.1, 100, "", 1, 1, true}, "How strongly ropes pull."},
+    {"Creep",
+     &SolidSettings::creep,
+     {0, 2, "", 1, 2},
+     "How fast the rest shape follows, like clay."},
+}};
 
 // Sliders change a copy; it becomes one operation when the hand lets go.
 void physicsSection(Atelier& atelier) {
@@ -161,16 +176,11 @@ void physicsSection(Atelier& atelier) {
     s.solver = Solver(solver);
   }
   count("Refinement", s.levels, {1, 3, "", 1, 0}, "Between control and mass points.");
-  slider("Time step", s.timeStep, {0.01, 4, "", 1, 2, true}, "Of one step of physics.");
-  slider("Damping", s.damping, {0, 8, "", 1, 2}, "How soon it comes to rest.");
-  slider("Stiffness", s.stiffness, {0.01, 20, "", 1, 2, true}, "Of the springs along edges.");
-  slider("Bending", s.angular, {0, 5, "", 1, 2}, "Of the springs at corners.");
-  slider("Rope", s.ropeStrength, {0.1, 100, "", 1, 1, true}, "How strongly ropes pull.");
-  slider("Creep", s.creep, {0, 2, "", 1, 2}, "How fast the rest shape follows, like clay.");
+  for (const SettingSlider& row : kSliders) slider(row.label, s.*row.value, row.slide, row.tip);
   if (!(s == before)) atelier.solid.settings = s;
   if (atelier.solid.settings && !ImGui::IsAnyItemActive()) {
     const SolidSettings wanted = *std::exchange(atelier.solid.settings, std::nullopt);
-    if (!(wanted == now)) atelier.applySolid(allOf(wanted));
+    if (!(wanted == now)) atelier.applySolid(operationOf(wanted));
   }
   press(atelier, "Let it move", half(), Command::solidRun);
   ImGui::SameLine();
@@ -188,6 +198,13 @@ void numberSection(const Atelier& atelier) {
   factLine("Control cells", grouped((long long)shown.control().cells.size()));
   factLine("Shown cells", grouped((long long)shown.refinedCells), "After refinement.");
   factLine("Shown points", grouped((long long)shown.refinedPoints));
+  if (const auto& ran = shown.ran) {
+    factLine("Steps", fmt::format("{} of {:.2g} ms", ran->steps, ran->msStep),
+             "Of the last physics, and what each took.");
+    factLine("Iterations", fmt::format("{:.1f}", ran->iterations), "Of the solver, a step.");
+    factLine("Energy", fmt::format("{:.4g}", ran->energy), "Of all springs, at the end.");
+    if (ran->rolledBack > 0) factLine("Taken back", grouped(ran->rolledBack), "Steps.");
+  }
   const OperationReport& last = atelier.status().last;
   factLine("Last tool", fmt::format("{:.1f} ms", last.msField), "The whole operation.");
 }
@@ -243,10 +260,27 @@ void solidSections(Atelier& atelier) {
   if (section("Numbers", false)) numberSection(atelier);
 }
 
+// Where a curve can be taken.
+void drawCurve(const PanelContext& context) {
+  const Atelier& atelier = context.atelier;
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  const auto controls = atelier.curveControls();
+  for (std::size_t n = 0; n < controls.size(); ++n) {
+    const glm::dvec2 at = atelier.corner() + pixelOf(atelier.view, atelier.extent(), controls[n]);
+    if (!context.layout.viewport.contains(at)) continue;
+    const ImVec2 centre{float(at.x), float(at.y)};
+    list->AddCircleFilled(centre, px(6), ink(tint::accent), 20);
+    list->AddCircle(centre, px(6), ink(atelier.curve().isDragged(n) ? 0xFFFFFF : tint::onAccent),
+                    20, px(1.6f));
+  }
+}
+
 // Points that can be taken, over everything.
 void drawSolidPoints(const PanelContext& context) {
   const Atelier& atelier = context.atelier;
-  if (atelier.mode() != WorkMode::solid || !atelier.solidShown() || !atelier.solid.lattice) return;
+  if (atelier.mode() != WorkMode::solid || !atelier.solidShown()) return;
+  if (atelier.solid.tool == SolidTool::spline) drawCurve(context);
+  if (!atelier.solid.lattice) return;
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   const auto& points = atelier.solidShown()->control().points;
   const bool takes = atelier.solidElement() == Element::point;

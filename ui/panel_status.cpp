@@ -70,7 +70,9 @@ std::vector<Hint> solidHints(const Atelier& atelier) {
   if (!atelier.solidShown()) {
     hints.push_back({"", {}, "Make a block, a solid from the clay or a wrap"});
   } else {
-    hints.push_back({"", MousePart::left, std::string(row.verb)});
+    const bool held = atelier.curve().handle && atelier.curve().points.size() > 1;
+    hints.push_back({"", MousePart::left, held ? "Drag the curve" : std::string(row.verb)});
+    if (!atelier.curve().points.empty()) hints.push_back({"Esc", {}, "Let the curve go"});
     if (!row.inverse.empty()) {
       hints.push_back(
           {std::string(atelier.keymap.invertName()), MousePart::left, std::string(row.inverse)});

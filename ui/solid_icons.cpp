@@ -80,6 +80,19 @@ void drawShape(const Pencil& pencil, SolidTool tool, const IconInks& inks) {
       pencil.path({{-.2f, .1f}, {0, -.25f}, {.3f, -.2f}, {.45f, -.55f}, {.8f, -.55f}}, inks.action);
       pencil.dot({-.2f, .1f}, .16f, inks.action);
       return;
+    case SolidTool::spline:
+      pencil.path({{-.9f, .5f},
+                   {-.72f, .02f},
+                   {-.45f, -.2f},
+                   {-.1f, -.12f},
+                   {.2f, .12f},
+                   {.5f, .1f},
+                   {.75f, -.2f},
+                   {.9f, -.65f}},
+                  inks.clay);
+      for (const ImVec2 dot : {ImVec2(-.9f, .5f), ImVec2(.05f, 0), ImVec2(.9f, -.65f)})
+        pencil.dot(dot, .17f, inks.action);
+      return;
     case SolidTool::carve:
       pencil.cell(inks.clay);
       pencil.fill({{0, 0}, {.75f, -.42f}, {.75f, .42f}, {0, .85f}}, inks.action);

@@ -142,24 +142,28 @@ Colour heat(double part) {
   return part < .5 ? between(cold, middle, 2 * part) : between(middle, hot, 2 * part - 1);
 }
 
-std::shared_ptr<const SolidShown> shownSolid(std::shared_ptr<const Solid> solid, SolidMap map,
-                                             double spacing, Colour colour) {
+std::shared_ptr<const SolidShown> shownSolid(std::shared_ptr<const Solid> solid,
+                                             const SolidStyle& style) {
+  const Lattice& control = solid->control;
   auto shown = std::make_shared<SolidShown>(
-      SolidShown{solid, Topology(solid->control), map, {}, {}, 0, 0, 0, 0});
-  const int levels = levelsFor(*solid, map);
-  const Lattice refined = refine(solid->control, levels).lattice;
+      SolidShown{solid, Topology(control), {}, {}, style.map, {}, {}, 0, 0, 0, 0});
+  const int levels = levelsFor(*solid, style.map);
+  const bool asPhysics = levels == solid->settings.levels;
+  const Lattice refined = refine(control, levels).lattice;
   Skin skin;
   skin.surface = surfaceOf(refined);
   skin.normals = normalsOf(skin.surface);
-  skin.colours.assign(refined.points.size(), colour);
-  if (map != SolidMap::none && levels == solid->settings.levels) {
-    const Tint tint = map == SolidMap::mass        ? Tint::mass
-                      : map == SolidMap::stiffness ? Tint::hardness
-                                                   : Tint::strain;
+  skin.colours.assign(refined.points.size(), style.colour);
+  if (style.map != SolidMap::none && asPhysics) {
+    const Tint tint = style.map == SolidMap::mass        ? Tint::mass
+                      : style.map == SolidMap::stiffness ? Tint::hardness
+                                                         : Tint::strain;
     skin.colours = coloursOf(tinted(*solid, tint), *shown);
   }
-  shown->surface = patchesOf(skin, spacing);
-  shown->wires = wiresOf(refined, skin, spacing);
+  shown->mass =
+      asPhysics ? skin.surface : surfaceOf(refine(control, solid->settings.levels).lattice);
+  shown->surface = patchesOf(skin, style.spacing);
+  shown->wires = wiresOf(refined, skin, style.spacing);
   shown->refinedCells = refined.cells.size();
   shown->refinedPoints = refined.points.size();
   return shown;

@@ -16,7 +16,9 @@ enum class SolidMap { none, stiffness, mass, strain };
 
 struct SolidShown {
   std::shared_ptr<const Solid> solid;
-  Topology topology;  ///< of the control lattice
+  Topology topology;             ///< of the control lattice
+  Lattice mass;                  ///< the surface as physics has it, with all refined points
+  std::optional<RunReport> ran;  ///< of the physics that made it so
   SolidMap map = SolidMap::none;
   std::vector<UnpackedPatch> surface;            ///< smooth, by where it lies
   std::vector<std::array<glm::dvec3, 2>> wires;  ///< refined edges of the surface, world units
@@ -26,9 +28,14 @@ struct SolidShown {
   const Lattice& control() const { return solid->control; }
 };
 
-/// Refines it, twice at least as long as that is little; in `colour` where nothing is mapped.
-std::shared_ptr<const SolidShown> shownSolid(std::shared_ptr<const Solid> solid, SolidMap map,
-                                             double spacing, Colour colour);
+struct SolidStyle {
+  SolidMap map = SolidMap::none;
+  Colour colour;       ///< where nothing is mapped
+  double spacing = 1;  ///< of the clay's grid
+};
+/// Refines it, once more than physics does as long as that is little.
+std::shared_ptr<const SolidShown> shownSolid(std::shared_ptr<const Solid> solid,
+                                             const SolidStyle& style);
 
 /// Blue for little, over pale, to red for much; 0…1.
 Colour heat(double part);

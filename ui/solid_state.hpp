@@ -14,6 +14,7 @@ enum class WorkMode { clay, solid };
 enum class SolidTool {
   move,
   rope,
+  spline,
   carve,
   extrude,
   join,
@@ -26,19 +27,23 @@ enum class SolidTool {
   probe
 };
 
-/// What dragging the tool means.
-enum class SolidGrip { click, drag, brush };
+/// What pressing and dragging mean. A curve gets points by clicks and is dragged by its controls.
+enum class SolidGrip { click, drag, brush, curve, touch };
+
+/// What the tool takes: elements of the control lattice, or the surface as physics has it.
+enum class SolidReach { control, surface };
 
 struct SolidToolRow {
   SolidTool tool;
   std::string_view title, verb, inverse;  ///< `inverse` with Ctrl held; empty: none
   std::string_view what;                  ///< one line on the card
   std::string_view tip;
-  Element element;  ///< what lights up under the pointer
+  SolidReach reach;
+  Element element;  ///< of the control lattice: what lights up under the pointer
   SolidGrip grip;
 };
 
-inline constexpr int kSolidToolCount = 12;
+inline constexpr int kSolidToolCount = 13;
 std::span<const SolidToolRow, kSolidToolCount> solidToolTable();
 const SolidToolRow& rowOf(SolidTool tool);
 
@@ -62,10 +67,20 @@ struct SolidState {
   std::optional<SolidSettings> settings;  ///< while they are being changed
 };
 
-/// What lies under the pointer, and where.
+/// What lies under the pointer, and where: an element of the control lattice, or the point of the
+/// refined solid that is nearest to where the surface was hit.
 struct SolidHit {
   Id element = kNoId;
   glm::dvec3 place{0};
+};
+
+/// The curve that is being laid through refined points.
+struct SolidCurve {
+  std::vector<Id> points;
+  std::size_t of = 0;                 ///< how many refined points the solid had
+  std::optional<std::size_t> handle;  ///< the control under the pointer, or dragged
+
+  bool isDragged(std::size_t n) const { return handle && *handle == n; }
 };
 
 }  // namespace bozzetto::ui

@@ -28,18 +28,25 @@ struct Arguments {
 };
 
 Json jsonOf(const OperationReport& report) {
-  return {{"op", report.op},
-          {"dabs", report.dabs},
-          {"ms_field", report.msField},
-          {"ms_surface", report.msSurface},
-          {"ms_history", report.msHistory},
-          {"visited", report.visited},
-          {"computed", report.computed},
-          {"dirty", report.dirty},
-          {"treated", report.treated},
-          {"mass_before", report.massBefore},
-          {"mass_after", report.massAfter},
-          {"mass_dropped", report.massDropped}};
+  Json json{{"op", report.op},
+            {"dabs", report.dabs},
+            {"ms_field", report.msField},
+            {"ms_surface", report.msSurface},
+            {"ms_history", report.msHistory},
+            {"visited", report.visited},
+            {"computed", report.computed},
+            {"dirty", report.dirty},
+            {"treated", report.treated},
+            {"mass_before", report.massBefore},
+            {"mass_after", report.massAfter},
+            {"mass_dropped", report.massDropped}};
+  if (report.physics) {
+    json["steps"] = report.physics->steps;
+    json["ms_step"] = report.physics->msStep;
+    json["iterations"] = report.physics->iterations;
+    json["energy"] = report.physics->energy;
+  }
+  return json;
 }
 
 void writeStatistics(const std::string& path, const std::vector<OperationReport>& reports) {

@@ -183,30 +183,16 @@ SolidSettingsOperation readSettings(JsonObject& object) {
                                         Solver::standard);
   }
   if (object.has("levels")) tool.levels = object.integer("levels", 1);
-  const auto number = [&](const char* key) {
-    return object.has(key) ? std::optional(object.number(key)) : std::nullopt;
-  };
-  tool.timeStep = number("time_step");
-  tool.damping = number("damping");
-  tool.stiffness = number("stiffness");
-  tool.angular = number("angular");
-  tool.ropeStrength = number("rope_strength");
-  tool.creep = number("creep");
+  for (const SolidNumber& number : kSolidNumbers)
+    if (object.has(number.name)) tool.*number.wanted = object.number(number.name);
   return tool;
 }
 Json writeSettings(const SolidSettingsOperation& tool) {
   Json json = Json::object();
   if (tool.solver) json["solver"] = toText(*tool.solver);
   if (tool.levels) json["levels"] = *tool.levels;
-  const auto put = [&](const char* key, const std::optional<double>& value) {
-    if (value) json[key] = *value;
-  };
-  put("time_step", tool.timeStep);
-  put("damping", tool.damping);
-  put("stiffness", tool.stiffness);
-  put("angular", tool.angular);
-  put("rope_strength", tool.ropeStrength);
-  put("creep", tool.creep);
+  for (const SolidNumber& number : kSolidNumbers)
+    if (const auto& value = tool.*number.wanted) json[number.name] = *value;
   return json;
 }
 
@@ -219,6 +205,14 @@ Json writeProbe(const SolidProbeOperation& tool) {
 }
 
 }  // namespace
+
+SolidSettingsOperation operationOf(const SolidSettings& settings) {
+  SolidSettingsOperation all;
+  all.solver = settings.solver;
+  all.levels = settings.levels;
+  for (const SolidNumber& number : kSolidNumbers) all.*number.wanted = settings.*number.value;
+  return all;
+}
 
 std::span<const OperationFormat> solidToolFormats() {
   static constexpr OperationFormat kFormats[] = {

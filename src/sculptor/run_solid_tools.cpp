@@ -12,6 +12,7 @@ Id nearestOf(const Solid& solid, Element element, const glm::dvec3& at,
 }
 
 void tell(const RunReport& report, const Telling& telling) {
+  telling.report.physics = report;
   if (report.rolledBack == 0) return;
   telling.progress.note(fmt::format(
       "{}: {} of {} steps taken back: the solid would have exploded or turned inside out",
@@ -80,12 +81,8 @@ Solid worked(const Solid& solid, const SolidSettingsOperation& tool, const Telli
   Solid result = solid;
   SolidSettings& s = result.settings;
   s.solver = tool.solver.value_or(s.solver);
-  s.timeStep = tool.timeStep.value_or(s.timeStep);
-  s.damping = tool.damping.value_or(s.damping);
-  s.stiffness = tool.stiffness.value_or(s.stiffness);
-  s.angular = tool.angular.value_or(s.angular);
-  s.ropeStrength = tool.ropeStrength.value_or(s.ropeStrength);
-  s.creep = tool.creep.value_or(s.creep);
+  for (const SolidNumber& number : kSolidNumbers)
+    s.*number.value = (tool.*number.wanted).value_or(s.*number.value);
   // Mass points of another level are others: what they were is forgotten.
   if (tool.levels && *tool.levels != s.levels) {
     s.levels = *tool.levels;

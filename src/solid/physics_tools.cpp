@@ -1,5 +1,6 @@
 // Tools that change what a solid is made of, and tools that pull it (§6.2, §6.4).
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -36,11 +37,14 @@ Solid run(const Solid& solid, std::span<const Rope> ropes, int steps, RunReport*
     throw Error("solid: found " + std::to_string(steps) + " steps, expected 0 to 100000");
   Simulation simulation(solid);
   RunReport total;
+  const auto start = std::chrono::steady_clock::now();
   for (; total.steps < steps; ++total.steps) {
     const StepReport step = simulation.step(ropes);
     total.rolledBack += step.rolledBack ? 1 : 0;
     total.iterations += double(step.iterations) / steps;
   }
+  const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
+  if (steps > 0) total.msStep = passed.count() / steps;
   total.energy = simulation.energy();
   if (report != nullptr) *report = total;
   return simulation.solid();
@@ -147,6 +151,28 @@ std::vector<glm::dvec3> splinePlaces(std::span<const glm::dvec3> controls) {
   for (std::size_t n = 1; n + 1 < controls.size(); ++n)
     places[n] = (controls[n - 1] + 4.0 * controls[n] + controls[n + 1]) / 6.0;
   return places;
+}
+
+// Natural ends are ends whose controls go on in a straight line.
+std::vector<glm::dvec3> splineCurve(std::span<const glm::dvec3> controls, int cuts) {
+  if (controls.size() < 2) return {controls.begin(), controls.end()};
+  const std::size_t last = controls.size() - 1;
+  const auto control = [&](std::size_t n) {  // numbered from one before the first
+    if (n == 0) return 2.0 * controls[0] - controls[1];
+    if (n == last + 2) return 2.0 * controls[last] - controls[last - 1];
+    return controls[n - 1];
+  };
+  std::vector<glm::dvec3> curve;
+  for (std::size_t piece = 0; piece < last; ++piece) {
+    for (int n = piece == 0 ? 0 : 1; n <= cuts; ++n) {
+      const double t = double(n) / cuts, s = 1 - t;
+      curve.push_back(
+          (s * s * s * control(piece) + (3 * t * t * t - 6 * t * t + 4) * control(piece + 1) +
+           (3 * s * s * s - 6 * s * s + 4) * control(piece + 2) + t * t * t * control(piece + 3)) /
+          6.0);
+    }
+  }
+  return curve;
 }
 
 Solid splined(const Solid& solid, std::span<const glm::dvec3> points,

@@ -186,6 +186,14 @@ TEST(Tools, SplineGoesThroughItsPoints) {
     EXPECT_LT(glm::distance(again[n], places[n]), 1e-13);
   EXPECT_EQ(splineThrough(std::vector<glm::dvec3>{{1, 2, 3}}).size(), 1u);
 
+  const auto curve = splineCurve(splineThrough(places), 4);
+  ASSERT_EQ(curve.size(), 17u);
+  for (std::size_t n = 0; n < places.size(); ++n)
+    EXPECT_LT(glm::distance(curve[4 * n], places[n]), 1e-13);
+  // Straight places make a straight curve, evenly cut.
+  const auto line = splineCurve(std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 2);
+  for (std::size_t n = 0; n < line.size(); ++n) EXPECT_NEAR(line[n].x, 0.5 * double(n), 1e-15);
+
   const Solid solid = block({4, 1, 1});
   const std::vector<glm::dvec3> top{
       {-2, 0.5, 0}, {-1, 0.5, 0}, {0, 0.5, 0}, {1, 0.5, 0}, {2, 0.5, 0}};

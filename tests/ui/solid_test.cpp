@@ -118,6 +118,43 @@ TEST_F(SolidMode, brushesAndRopeReplay) {
   EXPECT_TRUE(solidReplays());
 }
 
+TEST_F(SolidMode, aCurveIsLaidDraggedAndReplays) {
+  atelier_.lookFrom(0, 0);
+  use(SolidTool::spline);
+  for (const double x : {-10.0, 0.0, 10.0}) click(seen({x, 0, 16}));
+  ASSERT_EQ(atelier_.curve().points.size(), 3u);
+  click(seen({0, 0, 16}));
+  EXPECT_EQ(atelier_.curve().points.size(), 3u) << "a click on a control adds nothing";
+  const glm::dvec3 control = atelier_.curveControls()[1];
+  const std::size_t before = steps();
+  drag(seen(control), seen(control + glm::dvec3(0, 12, 0)));
+  EXPECT_EQ(steps(), before + 1);
+  EXPECT_GT(atelier_.curveControls()[1].y, control.y + 2) << "the curve stays on the clay";
+  ASSERT_TRUE(shown().ran);
+  EXPECT_EQ(shown().ran->steps, atelier_.solid.steps);
+  EXPECT_GT(shown().ran->energy, 0);
+  tapCtrl(KeyCode::escape);
+  EXPECT_TRUE(solidReplays());
+  EXPECT_TRUE(atelier_.curve().points.empty());
+}
+
+TEST_F(SolidMode, aCurveLosesPointsAndGoes) {
+  atelier_.lookFrom(0, 0);
+  use(SolidTool::spline);
+  for (const double x : {-10.0, 0.0, 10.0}) click(seen({x, 0, 16}));
+  post(KeyChanged{KeyCode::leftControl, true, false});
+  click(seen(atelier_.curveControls()[0]));
+  post(KeyChanged{KeyCode::leftControl, false, false});
+  EXPECT_EQ(atelier_.curve().points.size(), 2u);
+  tap(KeyCode::escape);
+  settle();
+  EXPECT_TRUE(atelier_.curve().points.empty());
+  click(seen({0, 0, 16}));
+  atelier_.applySolid(SolidCarveOperation{{10, 10, 10}});
+  settle();
+  EXPECT_TRUE(atelier_.curve().points.empty()) << "other points are other points";
+}
+
 TEST_F(SolidMode, bakedItIsClayAndReplays) {
   const double before = mass();
   atelier_.run(Command::bake);

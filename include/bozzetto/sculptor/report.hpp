@@ -2,7 +2,10 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+
+#include "bozzetto/solid/tools.hpp"
 
 namespace bozzetto {
 
@@ -16,6 +19,7 @@ struct OperationReport {
   double massBefore = 0, massAfter = 0;  ///< world units, from exact sums
   double massDropped = 0;                ///< let go by smoothing thin support
   std::size_t changedBlocks = 0;
+  std::optional<RunReport> physics{};  ///< of tools that let a solid move
 };
 
 }  // namespace bozzetto

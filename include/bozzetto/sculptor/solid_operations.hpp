@@ -109,6 +109,24 @@ struct SolidSettingsOperation {
   std::optional<int> levels;
   std::optional<double> timeStep, damping, stiffness, angular, ropeStrength, creep;
 };
+/// The numbers among them: what they are called in recordings, what they are of a solid, and of
+/// the operation.
+struct SolidNumber {
+  const char* name;
+  double SolidSettings::*value;
+  std::optional<double> SolidSettingsOperation::*wanted;
+};
+inline constexpr std::array<SolidNumber, 6> kSolidNumbers{{
+    {"time_step", &SolidSettings::timeStep, &SolidSettingsOperation::timeStep},
+    {"damping", &SolidSettings::damping, &SolidSettingsOperation::damping},
+    {"stiffness", &SolidSettings::stiffness, &SolidSettingsOperation::stiffness},
+    {"angular", &SolidSettings::angular, &SolidSettingsOperation::angular},
+    {"rope_strength", &SolidSettings::ropeStrength, &SolidSettingsOperation::ropeStrength},
+    {"creep", &SolidSettings::creep, &SolidSettingsOperation::creep},
+}};
+/// Names all of them.
+SolidSettingsOperation operationOf(const SolidSettings& settings);
+
 /// Tells stiffness and changes nothing: no step of history.
 struct SolidProbeOperation {
   glm::dvec3 at{0};

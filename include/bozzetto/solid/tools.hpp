@@ -61,6 +61,7 @@ struct RunReport {
   int rolledBack = 0;     ///< steps that were taken back
   double iterations = 0;  ///< mean
   double energy = 0;      ///< at the end
+  double msStep = 0;      ///< mean, by the clock
 };
 /// `steps` steps of physics with these ropes.
 Solid pulled(const Solid& solid, std::span<const Pull> pulls, double strength, int steps,
@@ -70,6 +71,8 @@ Solid pulled(const Solid& solid, std::span<const Pull> pulls, double strength, i
 std::vector<glm::dvec3> splineThrough(std::span<const glm::dvec3> places);
 /// The places it passes at whole parameters.
 std::vector<glm::dvec3> splinePlaces(std::span<const glm::dvec3> controls);
+/// The curve itself, `cuts` ≥ 1 pieces between two such places, both ends included.
+std::vector<glm::dvec3> splineCurve(std::span<const glm::dvec3> controls, int cuts);
 
 struct SplineDrag {
   std::size_t control;
