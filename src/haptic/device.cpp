@@ -30,8 +30,12 @@ void MouseDevice::place(const DeviceState& state) {
 
 glm::dvec3 MouseDevice::force() const { return {fx_.load(), fy_.load(), fz_.load()}; }
 
-DeviceState MouseDevice::read(double) {
-  return {glm::dvec3(x_.load(), y_.load(), z_.load()) + give_ * force(), button_.load()};
+DeviceState MouseDevice::read(double time) {
+  const glm::dvec3 wanted = glm::dvec3(x_.load(), y_.load(), z_.load()) + give_ * force();
+  const double passed = readAt_ ? time - *readAt_ : 0;
+  at_ = readAt_ && lag_ > 0 ? at_ + (wanted - at_) * (passed / (lag_ + passed)) : wanted;
+  readAt_ = time;
+  return {at_, button_.load()};
 }
 
 void MouseDevice::push(const glm::dvec3& force, double) {

@@ -163,6 +163,23 @@ TEST(Devices, MouseGivesWayToForce) {
   EXPECT_EQ(NullDevice().read(3).position, glm::dvec3(0));
 }
 
+// x = (hand + give·k·d) / (1 + give·k), though give·k is 10: at once it would diverge.
+TEST(Devices, MouseLagsBehindStiffRopes) {
+  const ForceLimits limits{1000, 1e9};
+  for (const double lag : {0.0, 0.02}) {
+    MouseDevice mouse(0.01, lag);
+    double least = 1e9;
+    for (int tick = 0; tick < 2000; ++tick) {
+      mouse.place({{tick == 0 ? 0 : 1.1, 0, 0}, false});
+      const glm::dvec3 at = mouse.read(tick * kTick).position;
+      mouse.push(ropeForce(at, glm::dvec3(0), 1000, limits), kTick);
+      least = std::min(least, std::abs(at.x - 0.1));
+    }
+    EXPECT_EQ(std::abs(mouse.read(2).position.x - 0.1) < 1e-9, lag > 0) << lag;
+    EXPECT_LT(least, lag > 0 ? 1e-9 : 2);
+  }
+}
+
 TEST(Exchange, NewestWinsAndNothingIsTorn) {
   Exchange<std::array<int, 64>> exchange;
   EXPECT_FALSE(exchange.update());

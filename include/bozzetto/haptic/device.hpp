@@ -3,6 +3,7 @@
 #pragma once
 #include <atomic>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,10 +48,11 @@ class ScriptedDevice : public Device {
 };
 
 /// Placed by a mouse or pen in another thread. What is felt shows as a lag: the position gives way
-/// to the force by `give` metres a newton.
+/// to the force by `give` metres a newton, and follows within `lag` seconds, like a mass held by a
+/// hand: that keeps springs stiffer than 1/give stable (up to 2·lag/tick/give).
 class MouseDevice : public Device {
  public:
-  explicit MouseDevice(double give) : give_(give) {}
+  explicit MouseDevice(double give, double lag = 0) : give_(give), lag_(lag) {}
   void place(const DeviceState& state);  ///< from the window's thread
   glm::dvec3 force() const;              ///< for the window's arrow
   DeviceState read(double time) override;
@@ -59,7 +61,9 @@ class MouseDevice : public Device {
  private:
   std::atomic<double> x_{0}, y_{0}, z_{0}, fx_{0}, fy_{0}, fz_{0};
   std::atomic<bool> button_{false};
-  double give_;
+  double give_, lag_;
+  glm::dvec3 at_{0};  // of the loop's thread, as is when it was read
+  std::optional<double> readAt_;
 };
 
 struct HandOptions {
