@@ -83,6 +83,35 @@ bool PieceGrid::boxHolds(Id n, const glm::dvec3& place) const {
          place.x <= high.x + kSlack && place.y <= high.y + kSlack && place.z <= high.z + kSlack;
 }
 
+bool PieceGrid::find(std::span<const Id> near, const glm::dvec3& place, Hit& hit) const {
+  if (hit.piece != kNoId && boxHolds(hit.piece, place)) {
+    if (const auto uvw = piece(hit.piece).inverse(place, hit.uvw)) {
+      hit.uvw = *uvw;
+      return true;
+    }
+  }
+  for (const Id n : near) {
+    if (n == hit.piece || !boxHolds(n, place)) continue;
+    if (const auto uvw = piece(n).inverse(place)) {
+      hit = {n, *uvw};
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<glm::dvec3> inCells(const WeightRows& rows, std::span<const glm::dvec3> points,
+                                double spacing) {
+  std::vector<glm::dvec3> result(rows.rowCount());
+  rows.apply(points, result);
+  for (auto& p : result) {
+    p /= spacing;
+    if (!std::isfinite(p.x + p.y + p.z))
+      throw Error("wrap: found a place that is not finite, expected numbers");
+  }
+  return result;
+}
+
 Carrier::Carrier(const Lattice& refined, std::span<const glm::dvec3> rest,
                  std::span<const glm::dvec3> posed, const Clay& source)
     : source_(source),
@@ -136,31 +165,12 @@ std::vector<Key> Carrier::blocks() const {
   return result;
 }
 
-// The piece found last is asked first: neighbouring corners mostly share it.
-bool Carrier::find(const PieceGrid& grid, std::span<const Id> near, const glm::dvec3& place,
-                   Hit& hit) const {
-  if (hit.piece != kNoId && grid.boxHolds(hit.piece, place)) {
-    if (const auto uvw = grid.piece(hit.piece).inverse(place, hit.uvw)) {
-      hit.uvw = *uvw;
-      return true;
-    }
-  }
-  for (const Id n : near) {
-    if (n == hit.piece || !grid.boxHolds(n, place)) continue;
-    if (const auto uvw = grid.piece(n).inverse(place)) {
-      hit = {n, *uvw};
-      return true;
-    }
-  }
-  return false;
-}
-
 // Without a rim piece near, no surface of the lattice passes: one corner speaks for all.
 bool Carrier::allInside(const PieceGrid& grid, Key block) const {
   const auto near = grid.near(block);
   if (near.empty() || std::ranges::any_of(near, [&](Id n) { return rim_[n] != 0; })) return false;
   Hit hit;
-  return find(grid, near, toPlace(block * 8), hit);
+  return grid.find(near, toPlace(block * 8), hit);
 }
 
 const PieceSource* Carrier::commonSource(Key block) const {
@@ -186,10 +196,10 @@ Ref<Block> Carrier::carried(Key key, FieldSampler<8>& sampler) const {
   Hit posed, rest;
   for (int n = 0; n < 512; ++n) {
     const Key corner = key * 8 + Key{n / 64, n / 8 % 8, n % 8};
-    if (find(posed_, nearPosed, toPlace(corner), posed)) {
+    if (posed_.find(nearPosed, toPlace(corner), posed)) {
       carryCorner(n, sampler, posed, *result);
     } else if (old != nullptr && old->value[n] > 0 && !emptied &&
-               !find(rest_, nearRest, toPlace(corner), rest)) {
+               !rest_.find(nearRest, toPlace(corner), rest)) {
       result->value[n] = old->value[n];
       result->attributes[n] = old->attributes[n];
     }

@@ -4,7 +4,7 @@
 
 #include "bozzetto/field/sampler.hpp"
 #include "bozzetto/solid/cells.hpp"
-#include "bozzetto/solid/lattice.hpp"
+#include "bozzetto/solid/refine.hpp"
 
 namespace bozzetto {
 
@@ -18,6 +18,13 @@ class PieceGrid {
   std::vector<Key> blocks() const;  ///< those with any piece near, in order
   bool boxHolds(Id piece, const glm::dvec3& place) const;
   const CellPiece& piece(Id n) const { return pieces_[n]; }
+  struct Hit {
+    Id piece = kNoId;
+    glm::dvec3 uvw{0.5};
+  };
+  /// The piece of `near` that holds the place; the one found last is asked first, for neighbouring
+  /// places mostly share it. False where there is none.
+  bool find(std::span<const Id> near, const glm::dvec3& place, Hit& hit) const;
   const glm::dvec3& low(Id n) const { return low_[n]; }
   const glm::dvec3& high(Id n) const { return high_[n]; }
 
@@ -27,6 +34,10 @@ class PieceGrid {
   std::vector<Key> blocks_;
   Lists near_;  // one list a block
 };
+
+/// Refined points in cells of the grid. Throws Error for places that are not finite.
+std::vector<glm::dvec3> inCells(const WeightRows& rows, std::span<const glm::dvec3> points,
+                                double spacing);
 
 /// What the clay in the rest box of a piece is.
 struct PieceSource {
@@ -47,13 +58,8 @@ class Carrier {
   Ref<CornerBlock<8>> carried(Key block, FieldSampler<8>& sampler) const;
 
  private:
-  struct Hit {
-    Id piece = kNoId;
-    glm::dvec3 uvw{0.5};
-  };
+  using Hit = PieceGrid::Hit;
   PieceSource sourceOf(Id piece, BlockCache<CornerBlock<8>>& blocks) const;
-  bool find(const PieceGrid& grid, std::span<const Id> near, const glm::dvec3& place,
-            Hit& hit) const;
   bool allInside(const PieceGrid& grid, Key block) const;
   const PieceSource* commonSource(Key block) const;
   void carryCorner(int n, FieldSampler<8>& sampler, const Hit& hit, CornerBlock<8>& out) const;

@@ -177,6 +177,11 @@ std::optional<glm::dvec3> CellPiece::inverse(const glm::dvec3& place,
   return uvw;
 }
 
+std::array<glm::dvec3, 3> CellPiece::derivatives(const glm::dvec3& uvw) const {
+  if (kind == PieceKind::hexahedron) return jacobian(*this, uvw);
+  return {corner[1] - corner[0], corner[2] - corner[0], corner[3] - corner[0]};
+}
+
 double CellPiece::volume() const {
   if (kind == PieceKind::tetrahedron) {
     const auto arm = [&](std::size_t n) { return corner[n] - corner[0]; };

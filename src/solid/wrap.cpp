@@ -14,18 +14,6 @@ namespace {
 
 constexpr std::size_t kBatch = 1024;
 
-std::vector<glm::dvec3> inCells(const WeightRows& rows, std::span<const glm::dvec3> points,
-                                double spacing) {
-  std::vector<glm::dvec3> result(rows.rowCount());
-  rows.apply(points, result);
-  for (auto& p : result) {
-    p /= spacing;
-    if (!std::isfinite(p.x + p.y + p.z))
-      throw Error("wrap: found a place that is not finite, expected numbers");
-  }
-  return result;
-}
-
 // Puts what was carried in the place of what was there.
 void carryAll(const Carrier& carrier, const Clay& source, const std::vector<Key>& keys,
               Edit<CornerBlock<8>>& edit, Progress& progress) {

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/base/parallel.hpp"
+#include "bozzetto/solid/wrap_map.hpp"
 #include "bozzetto/tool/fill.hpp"
 
 namespace bozzetto {
@@ -57,6 +59,27 @@ WrapReport wrapInto(Field<Side>& field, Pose pose, const WrapOptions& options = 
 }
 
 double mass(const Clay& clay) { return double(massUnits(clay)) * kMassUnit; }
+
+// Clay carried and places carried are one map: the surface lands where its vertices do.
+TEST(WrapMap, CarriesPlacesAndNormalsAsClayGoes) {
+  const Lattice rest = wrapBlock({-10, -20, -10}, {10, 20, 10}, {2, 4, 2}).lattice;
+  WrapMap map(rest, 2, 0.5);
+  const glm::dvec3 cell(7, -13, 4);
+  const WrapPlace inside = map.find(cell);
+  ASSERT_TRUE(inside.isInside());
+  EXPECT_FALSE(map.find({200, 0, 0}).isInside());
+  EXPECT_LT(glm::distance(map.carried(inside), cell), 1e-9);
+  EXPECT_LT(glm::distance(map.turned(inside, {0, 1, 0}), glm::dvec3(0, 1, 0)), 1e-12);
+  // A stretch: places by it, normals by its inverse.
+  map.pose(posed(rest, Pose::stretch));
+  EXPECT_LT(glm::distance(map.carried(inside), cell * glm::dvec3(1.3, 1, 0.9)), 1e-9);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 2, 3));
+  const glm::dvec3 expected = glm::normalize(normal / glm::dvec3(1.3, 1, 0.9));
+  EXPECT_LT(glm::distance(map.turned(inside, normal), expected), 1e-12);
+  // Neighbours help each other and change nothing.
+  const WrapPlace again = map.find(cell, map.find(cell + 0.3));
+  EXPECT_LT(glm::distance(map.carried(again), map.carried(inside)), 1e-8);
+}
 
 TEST(Wrap, PointsAreNamedFromZeroToCellsPlusTwo) {
   const NamedLattice block = wrapBlock({0, 0, 0}, {8, 4, 2}, {4, 2, 1});

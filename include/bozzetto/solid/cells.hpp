@@ -25,6 +25,8 @@ struct CellPiece {
   /// (u, v, w) of a place, by Newton's method from `start`; nothing when the place is outside.
   std::optional<glm::dvec3> inverse(const glm::dvec3& place,
                                     const glm::dvec3& start = glm::dvec3(0.5)) const;
+  /// Of the place along u, v, w.
+  std::array<glm::dvec3, 3> derivatives(const glm::dvec3& uvw) const;
   /// Exact; negative when turned inside out.
   double volume() const;
 };
