@@ -82,6 +82,21 @@ BOZZETTO_KERNEL void turnedBody(const TilePatch& patch, float* result) {
   }
 }
 
+// Between two planes of the tile; its rows are whole rows of blocks.
+BOZZETTO_KERNEL void mixPlanes(const float* at, int stride, int count, float t, float* out) {
+  for (int row = 0; row < count; row += 8)
+    for (int n = row; n < row + 8; ++n) out[n] = mixed(at[n], at[n + stride], t);
+}
+
+// Along j and k where tool and clay have cells of one size: rows lie as they are read, and nothing
+// between goes to memory.
+template <int Side>
+BOZZETTO_KERNEL void mixRows(const float* near, int stride, const float (&t)[2], float* out) {
+  const float* far = near + stride;
+  for (int k = 0; k < Side; ++k)
+    out[k] = mixed(mixed(near[k], far[k], t[0]), mixed(near[k + 1], far[k + 1], t[0]), t[1]);
+}
+
 // No rotation: one axis after the other, whole rows at a time. The same sums in the same order.
 template <int Side>
 BOZZETTO_KERNEL void alignedBody(const TilePatch& patch, float* result) {
@@ -97,22 +112,20 @@ BOZZETTO_KERNEL void alignedBody(const TilePatch& patch, float* result) {
           placeOn(positionOn(patch.frame, a, corner), patch.tile.low[axis] - patch.base[axis]);
     }
   const bool oneByOne = patch.frame.step[2][2] == 1 << kFractionBits;
-  const int plane = patch.tile.wide[1] * patch.tile.wide[2];
+  const int planeRows = patch.tile.wide[1];
   for (int i = 0; i < Side; ++i) {
     alignas(64) float alongI[most * wideK], alongJ[wideK];
-    const float* at = patch.value + place[0][i].corner * strideI;
-    const float ti = place[0][i].fraction;
-    for (int n = 0; n < plane; ++n) alongI[n] = mixed(at[n], at[n + strideI], ti);
+    mixPlanes(patch.value + place[0][i].corner * strideI, strideI, planeRows * strideJ,
+              place[0][i].fraction, alongI);
     for (int j = 0; j < Side; ++j) {
       const float* row = alongI + place[1][j].corner * strideJ;
       const float tj = place[1][j].fraction;
-      for (int n = 0; n < patch.tile.wide[2]; ++n) alongJ[n] = mixed(row[n], row[n + strideJ], tj);
       float* out = result + (i * Side + j) * Side;
       if (oneByOne) {
-        const float* cells = alongJ + place[2][0].corner;
-        for (int k = 0; k < Side; ++k) out[k] = mixed(cells[k], cells[k + 1], place[2][0].fraction);
+        mixRows<Side>(row + place[2][0].corner, strideJ, {tj, place[2][0].fraction}, out);
         continue;
       }
+      for (int n = 0; n < strideJ; ++n) alongJ[n] = mixed(row[n], row[n + strideJ], tj);
       for (int k = 0; k < Side; ++k) {
         const float* cell = alongJ + place[2][k].corner;
         out[k] = mixed(cell[0], cell[1], place[2][k].fraction);
