@@ -46,7 +46,7 @@ void make(const MakeArguments& arguments) {
   ToolSource source = arguments.source;
   if (arguments.region.size() == 6) {
     const auto& r = arguments.region;
-    source.region = WorldBox{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
+    source.region = WorldRegion{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
   }
   source.pivot = vectorOf(arguments.pivot);
   source.contact = vectorOf(arguments.contact);

@@ -1,20 +1,59 @@
 // combine, cut and text in JSON, and where tools come from.
+#include "bozzetto/tool/relative.hpp"
 #include "sculptor/operation_format.hpp"
 
 namespace bozzetto {
 
-WorldBox readRegion(JsonObject& object) {
-  JsonObject region(object.required("region"), object.where() + ": region");
-  region.required("min");
-  region.required("max");
-  const WorldBox box{readVector(region, "min", {}), readVector(region, "max", {})};
-  for (int axis = 0; axis < 3; ++axis)
-    if (box.low[axis] > box.high[axis]) object.fail("region: 'min' not above 'max' expected");
-  region.done();
-  return box;
+namespace {
+
+Lasso readLasso(JsonObject& region) {
+  Lasso lasso;
+  const Json& outline = region.required("lasso");
+  if (!outline.is_array()) region.fail("lasso", "a list of points [x, y]");
+  for (const Json& point : outline) {
+    if (!point.is_array() || point.size() != 2) region.fail("lasso", "a list of points [x, y]");
+    lasso.outline.emplace_back(region.toNumber(point[0], "lasso"),
+                               region.toNumber(point[1], "lasso"));
+  }
+  JsonObject view(region.required("view"), region.where() + ": view");
+  lasso.eye = readRequiredVector(view, "eye");
+  lasso.worldFromView = normalisedRotation(readRotation(view));
+  lasso.rays = view.flag("parallel", false) ? LassoRays::parallel : LassoRays::fromEye;
+  view.done();
+  requireValid(lasso);
+  return lasso;
 }
 
-Json listOf(const WorldBox& box) { return {{"min", listOf(box.low)}, {"max", listOf(box.high)}}; }
+}  // namespace
+
+WorldRegion readRegion(JsonObject& object) {
+  JsonObject json(object.required("region"), object.where() + ": region");
+  WorldRegion region;
+  if (json.has("lasso")) region.lasso = readLasso(json);
+  if (!region.lasso || json.has("min") || json.has("max")) {
+    region.low = readRequiredVector(json, "min");
+    region.high = readRequiredVector(json, "max");
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    if (region.low[axis] > region.high[axis]) object.fail("region: 'min' not above 'max' expected");
+  json.done();
+  return region;
+}
+
+Json listOf(const WorldRegion& region) {
+  Json json = Json::object();
+  if (region.low != glm::dvec3(-WorldRegion::kEverywhere)) {
+    json["min"] = listOf(region.low);
+    json["max"] = listOf(region.high);
+  }
+  if (!region.lasso) return json;
+  const Lasso& lasso = *region.lasso;
+  for (const glm::dvec2& point : lasso.outline) json["lasso"].push_back({point.x, point.y});
+  json["view"] = {{"eye", listOf(lasso.eye)},
+                  {"rotation", listOf(lasso.worldFromView)},
+                  {"parallel", lasso.rays == LassoRays::parallel}};
+  return json;
+}
 
 ToolSource readSource(JsonObject& object, const char* key) {
   ToolSource source;

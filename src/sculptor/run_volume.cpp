@@ -41,7 +41,11 @@ void run(const CutOperation& operation, Workbench<Side>& bench, const Telling& t
   Edit<CornerBlock<Side>> edit(bench.tree());
   {
     const Timer timer(telling.report.msField);
-    addCounts(clear<Side>(edit, part->bounds()), bench.field().scale.spacing, telling.report);
+    const FieldScale& scale = bench.field().scale;
+    const auto& lasso = operation.region.lasso;
+    addCounts(lasso ? clear<Side>(edit, scale, part->bounds(), *lasso)
+                    : clear<Side>(edit, part->bounds()),
+              scale.spacing, telling.report);
   }
   bench.keep(edit, telling.report);
   ToolShape tool;

@@ -10,6 +10,7 @@
 #include "bozzetto/io/voxelise.hpp"
 #include "bozzetto/sculptor/replay.hpp"
 #include "bozzetto/tool/relative.hpp"
+#include "sculptor/operation_format.hpp"
 
 namespace bozzetto {
 namespace {
@@ -18,26 +19,16 @@ namespace fs = std::filesystem;
 constexpr int kDeepest = 8;
 constexpr std::string_view kShelf = "shelf:";
 
-KeyBox cornersOf(const WorldBox& box, double spacing) {
-  KeyBox corners;
-  for (const Axis axis : kAxes) {
-    const int a = index(axis);
-    const double low = std::ceil(box.low[a] / spacing), high = std::floor(box.high[a] / spacing);
-    constexpr double rim = kWorkspaceRim;
-    corners.low[axis] = static_cast<std::int32_t>(std::clamp(low, -rim, rim));
-    corners.high[axis] = static_cast<std::int32_t>(std::clamp(high, -rim, rim));
-  }
-  return corners;
+Clay partIn(const Clay& clay, const WorldRegion& region) {
+  const KeyBox box = cornersIn(region, clay.scale.spacing);
+  return region.lasso ? partOf(clay, box, *region.lasso) : partOf(clay, box);
 }
 
 std::string keyOf(const ToolSource& s) {
   std::string key = fmt::format("{} {} {} {}", s.from, s.cells, s.width, s.height);
   key += fmt::format(" {} {} {} {}", s.text, s.font, s.letterSize, s.letterDepth);
   const auto add = [&](const glm::dvec3& v) { key += fmt::format(" {} {} {}", v.x, v.y, v.z); };
-  if (s.region) {
-    add(s.region->low);
-    add(s.region->high);
-  }
+  if (s.region) key += " " + listOf(*s.region).dump();
   key += s.pivot ? " pivot" : "";
   if (s.pivot) add(*s.pivot);
   key += s.contact ? " contact" : "";
@@ -90,6 +81,19 @@ fs::path fileIn(const fs::path& folder, const std::string& name) {
 }
 
 }  // namespace
+
+KeyBox cornersIn(const WorldRegion& region, double spacing) {
+  KeyBox corners;
+  for (const Axis axis : kAxes) {
+    const int a = index(axis);
+    const double low = std::ceil(region.low[a] / spacing);
+    const double high = std::floor(region.high[a] / spacing);
+    constexpr double rim = kWorkspaceRim;
+    corners.low[axis] = static_cast<std::int32_t>(std::clamp(low, -rim, rim));
+    corners.high[axis] = static_cast<std::int32_t>(std::clamp(high, -rim, rim));
+  }
+  return corners;
+}
 
 std::vector<ToolEntry> ToolLibrary::list(std::string_view query) const {
   std::vector<ToolEntry> entries;
@@ -154,7 +158,7 @@ std::shared_ptr<const Sculpture> sculptureOf(const ShelfTool& tool, const ToolSo
   options.pivot = source.pivot ? source.pivot : tool.pivot;
   options.contact = source.contact.value_or(tool.contact.value_or(options.contact));
   Clay clay = tool.clay;
-  if (source.region) clay = partOf(clay, cornersOf(*source.region, clay.scale.spacing));
+  if (source.region) clay = partIn(clay, *source.region);
   if (clay.tree.empty()) {
     const std::string what = source.from.empty() ? "the clay" : source.from;
     throw Error("freeform tool: " + what + " holds no clay" + (source.region ? " there" : ""));

@@ -188,11 +188,36 @@ DabReport clear(Edit<CornerBlock<Side>>& edit, const KeyBox& box) {
   return report;
 }
 
+template <int Side>
+DabReport clear(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, const KeyBox& box,
+                const Lasso& lasso) {
+  using Geometry = BlockGeometry<Side>;
+  requireValid(lasso);
+  DabReport report;
+  if (box.empty()) return report;
+  const auto place = [&](Key corner) {
+    return glm::dvec3(corner.i, corner.j, corner.k) * scale.spacing;
+  };
+  const KeyBox blocks{Geometry::blockOf(box.low), Geometry::blockOf(box.high)};
+  const double half = (Side - 1) / 2.0 * scale.spacing, radius = (half + scale.spacing) * 1.75;
+  const auto wanted = [&](Key at) {
+    if (!blocks.contains(at)) return false;
+    return coverageOf(lasso, place(Geometry::firstCornerOf(at)) + half, radius) != Coverage::none;
+  };
+  for (const Key& key : blocksOf(edit.tree(), wanted))
+    clearBlock(
+        edit, key, [&](Key corner) { return box.contains(corner) && lasso.holds(place(corner)); },
+        report);
+  return report;
+}
+
 template DabReport combine(Edit<CornerBlock<1>>&, const FieldScale&,
                            std::shared_ptr<const Sculpture>, Combining, const CombinePose&);
 template DabReport combine(Edit<CornerBlock<8>>&, const FieldScale&,
                            std::shared_ptr<const Sculpture>, Combining, const CombinePose&);
 template DabReport clear(Edit<CornerBlock<1>>&, const KeyBox&);
 template DabReport clear(Edit<CornerBlock<8>>&, const KeyBox&);
+template DabReport clear(Edit<CornerBlock<1>>&, const FieldScale&, const KeyBox&, const Lasso&);
+template DabReport clear(Edit<CornerBlock<8>>&, const FieldScale&, const KeyBox&, const Lasso&);
 
 }  // namespace bozzetto

@@ -49,6 +49,23 @@ TEST_F(Tools, aFileAsAToolIsItsScene) {
   EXPECT_EQ(fieldHash(made), fieldHash(replayed(kBody)));
 }
 
+TEST_F(Tools, aLassoCutsAndPutsBack) {
+  const std::string cut = std::string(kBody) +
+                          "{\"op\":\"cut\",\"region\":{\"lasso\":[[-4,-3],[5,-3],[5,2],[-4,2]],"
+                          "\"view\":{\"eye\":[0,0,0],\"parallel\":true}}}\n";
+  const Clay body = replayed(kBody), rest = replayed(cut);
+  EXPECT_EQ(rest.value({0, 0, 0}), 0);
+  EXPECT_EQ(rest.value({5, 0, 2}), 0) << "as deep as it goes";
+  EXPECT_EQ(rest.value({-5, 0, 0}), body.value({-5, 0, 0}));
+  EXPECT_EQ(rest.value({0, 4, 0}), body.value({0, 4, 0}));
+  // Its pivot is the middle of its bounds: corners -4 … 5, -3 … 2 and -4 … 4 have clay.
+  const Clay again = replayed(cut + "{\"op\":\"stroke\",\"points\":[[0.5,-0.5,0]]}");
+  EXPECT_EQ(fieldHash(again), fieldHash(body));
+  EXPECT_THROW(replayed("{\"op\":\"cut\",\"region\":{\"lasso\":[[0,0],[1,1]],"
+                        "\"view\":{\"eye\":[0,0,0]}}}"),
+               Error);
+}
+
 TEST_F(Tools, aRegionOfTheClayAtHand) {
   const Clay made =
       replayed(std::string(kBody) +
@@ -234,6 +251,8 @@ TEST_F(Tools, recordingsSayEverything) {
       "{\"op\":\"combine\",\"with\":\"shelf:eye\",\"how\":\"subtract\",\"pose\":{\"at\":[1,2,3],"
       "\"rotation\":[0,1,0,0],\"scale\":[2,2,2]}}",
       "{\"op\":\"cut\",\"region\":{\"min\":[0,0,0],\"max\":[1,2,3]}}",
+      "{\"op\":\"cut\",\"region\":{\"lasso\":[[-0.1,-0.1],[0.1,-0.1],[0,0.15]],"
+      "\"view\":{\"eye\":[0,0,120],\"rotation\":[1,0,0,0],\"parallel\":false}}}",
       "{\"op\":\"text\",\"text\":\"Ä\",\"size\":9,\"depth\":2,\"colour\":\"#102030\"}"};
   for (const char* line : lines) {
     const std::string once = toText(parseOperation(line, "test"));

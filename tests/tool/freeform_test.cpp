@@ -208,6 +208,41 @@ TEST(Freeform, partsOfClayShareItsBlocks) {
   EXPECT_EQ(boundsOf(part), (KeyBox{{-11, -40, 3}, {17, 30, 28}}));
 }
 
+// What a lasso holds, against every corner asked by itself; seen from an eye and by parallel rays.
+TEST(Freeform, lassosTakeWhatTheyHold) {
+  const Clay clay = clayBall<8>(30);
+  Lasso lasso;
+  lasso.worldFromView = glm::angleAxis(0.7, glm::normalize(glm::dvec3(1, 2, 0.5)));
+  const KeyBox everywhere{{-99, -99, -99}, {99, 99, 99}};
+  for (const LassoRays rays : {LassoRays::fromEye, LassoRays::parallel}) {
+    lasso.rays = rays;
+    const double size = rays == LassoRays::fromEye ? 0.15 : 15;
+    lasso.eye = rays == LassoRays::fromEye ? lasso.worldFromView * glm::dvec3(5, 0, 100)
+                                           : glm::dvec3(5, 0, 0);
+    lasso.outline = {{-size, -size}, {size, -0.5 * size}, {0.2 * size, 0}, {size, size}};
+    const Clay part = partOf(clay, everywhere, lasso);
+    EXPECT_EQ(validate(part), std::nullopt);
+    Samples expected = samplesOf(clay);
+    const std::size_t all = expected.size();
+    std::erase_if(expected, [&](const auto& each) {
+      return !lasso.holds({each.first.i, each.first.j, each.first.k});
+    });
+    EXPECT_GT(expected.size(), 1000u);
+    EXPECT_LT(expected.size(), all / 2);
+    const Samples found = samplesOf(part);
+    ASSERT_EQ(found.size(), expected.size());
+    for (const auto& [key, sample] : expected) EXPECT_EQ(found.at(key).value, sample.value);
+    // And what clearing it leaves is the rest.
+    Clay rest = clay;
+    Edit<CornerBlock<8>> edit(rest.tree);
+    clear<8>(edit, rest.scale, everywhere, lasso);
+    edit.commit();
+    EXPECT_EQ(samplesOf(rest).size(), all - expected.size());
+  }
+  lasso.outline.resize(2);
+  EXPECT_THROW(partOf(clay, everywhere, lasso), Error);
+}
+
 TEST(Freeform, duplicatingCopiesPointersOnly) {
   Clay clay;
   for (int n = 0; n < 100'000; ++n) {

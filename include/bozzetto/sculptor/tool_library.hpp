@@ -37,6 +37,9 @@ class ToolLibrary {
   std::map<std::string, std::shared_ptr<const Sculpture>> kept_;
 };
 
+/// The corners in a region's box.
+KeyBox cornersIn(const WorldRegion& region, double spacing);
+
 /// Of clay, what the source says of region, pivot and contact.
 std::shared_ptr<const Sculpture> sculptureOf(const ShelfTool& tool, const ToolSource& source);
 

@@ -1,6 +1,7 @@
 // Operations with tools that are sculptures.
 #pragma once
 #include <glm/vec3.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,9 +10,12 @@
 
 namespace bozzetto {
 
-/// World units; both ends belong to it.
-struct WorldBox {
-  glm::dvec3 low{0}, high{0};
+/// A part of space: a box of world units, ends included, and what a lasso holds of it.
+struct WorldRegion {
+  glm::dvec3 low{-kEverywhere}, high{kEverywhere};
+  std::optional<Lasso> lasso{};
+
+  static constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 };
 
 /// Where a freeform tool comes from.
@@ -19,7 +23,7 @@ struct ToolSource {
   /// A file (.bzt; .jsonl, which is replayed; a mesh; .png, which becomes a relief) or
   /// "shelf:NAME"; empty: the clay at hand.
   std::string from;
-  std::optional<WorldBox> region;  ///< that part of it only
+  std::optional<WorldRegion> region;  ///< that part of it only
   std::optional<glm::dvec3> pivot;
   std::optional<glm::dvec3> contact;
   double cells = 96;              ///< along the longest side of meshes and pictures
@@ -42,7 +46,7 @@ struct CombineOperation {
 
 /// Takes a part of the clay away and into the hand, as a freeform tool that adds it again.
 struct CutOperation {
-  WorldBox region;
+  WorldRegion region;
 };
 
 /// Puts a tool on the document's shelf, in the place of one of that name. No step of history.

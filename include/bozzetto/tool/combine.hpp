@@ -41,8 +41,16 @@ extern template DabReport combine(Edit<CornerBlock<8>>&, const FieldScale&,
 /// Takes away all clay in the box of corners, what hold allows (hold < 128).
 template <int Side>
 DabReport clear(Edit<CornerBlock<Side>>& edit, const KeyBox& box);
+/// Of that, what a lasso holds.
+template <int Side>
+DabReport clear(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, const KeyBox& box,
+                const Lasso& lasso);
 
 extern template DabReport clear(Edit<CornerBlock<1>>&, const KeyBox&);
 extern template DabReport clear(Edit<CornerBlock<8>>&, const KeyBox&);
+extern template DabReport clear(Edit<CornerBlock<1>>&, const FieldScale&, const KeyBox&,
+                                const Lasso&);
+extern template DabReport clear(Edit<CornerBlock<8>>&, const FieldScale&, const KeyBox&,
+                                const Lasso&);
 
 }  // namespace bozzetto

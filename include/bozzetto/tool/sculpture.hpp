@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bozzetto/field/field.hpp"
+#include "bozzetto/tool/lasso.hpp"
 
 namespace bozzetto {
 
@@ -63,6 +64,8 @@ class Sculpture {
 
 /// The part of the clay inside the box of corners; blocks wholly inside are shared. O(nodes + rim).
 Clay partOf(const Clay& clay, const KeyBox& box);
+/// Of that, what a lasso holds. O(blocks · outline + corners near it · outline), in parallel.
+Clay partOf(const Clay& clay, const KeyBox& box, const Lasso& lasso);
 
 /// The box of corners with clay; empty when there is none. O(nodes + blocks at its faces).
 KeyBox boundsOf(const Clay& clay);
