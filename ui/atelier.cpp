@@ -65,6 +65,7 @@ Publication Atelier::poll() {
     if (gesture_ != Gesture::solid) hoverSolid();
   }
   watchLights();
+  feel(fresh);
   if (fresh.shelf) shelf.cards = *fresh.shelf;
   if (fresh.taken) sculpt.take(*fresh.taken, status_.scale.spacing);
   if (!framed_ && !patches_.empty()) frameAll();
@@ -119,7 +120,7 @@ void Atelier::opened(OpenedDocument document) {
     say(Message::Kind::error, "Open elsewhere: read-only here. Save as… keeps what you change");
   }
   framed_ = sized_ = false;
-  mode_ = WorkMode::clay;
+  setMode(WorkMode::clay);
   if (shelf.open) listShelf();
   airPoint_.reset();
   heldTool_.reset();

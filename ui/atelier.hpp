@@ -7,6 +7,7 @@
 
 #include "bozzetto/render/viewport.hpp"
 #include "ui/events.hpp"
+#include "ui/felt_hand.hpp"
 #include "ui/settings.hpp"
 #include "ui/shelf_drawer.hpp"
 #include "ui/solid_state.hpp"
@@ -35,6 +36,7 @@ enum class Gesture {
   pickColour,
   boxHandle,
   support,
+  lasso,
   solid
 };
 
@@ -167,6 +169,12 @@ class Atelier {
   std::vector<glm::dvec3> curveControls() const;
   /// What the tool in hand takes.
   Element solidElement() const;
+  /// The hand while it feels something; null otherwise.
+  const FeltHand* feltHand() const { return felt_.get(); }
+  /// The force it feels, as long as it is drawn. World units.
+  glm::dvec3 feltArrow() const;
+  /// Stiffness where the probe touched last, 1 as usual.
+  std::optional<double> touched() const { return touched_; }
   /// Shows it as `solid` says now.
   void tellSolid();
   void applySolid(const Operation& operation);
@@ -187,6 +195,15 @@ class Atelier {
   void shareTool(const ToolEntry& entry, const std::filesystem::path& path);
   /// Copies it to the user's library.
   void keepForUser(const ToolEntry& entry);
+
+  // Parts of the clay, and sculptures as volumes (atelier_parts.cpp).
+  /// The next drag draws round a part of the clay.
+  bool drawsLasso() const { return lassoNext_; }
+  const std::optional<Lasso>& lasso() const { return lasso_; }
+  /// What the lasso holds, or the workspace box where it is shown.
+  std::optional<WorldRegion> part() const;
+  /// What the next click does with the tool in hand.
+  std::optional<Combining> combining() const { return combining_; }
 
   // Clay that moves (atelier_clay.cpp).
   void placeToolAsSupport(const glm::dvec3& at);
@@ -299,6 +316,14 @@ class Atelier {
   ToolShape toolAt(const GroundHit& ground) const;
   HandOperations handAt(const GroundHit& ground) const;
   void keep(ShelfKeepOperation operation);
+  bool runParts(Command command);
+  void beginLasso();
+  void drawLasso(glm::dvec2 to);
+  void endLasso();
+  void dropParts();
+  void takePart(Command how);
+  void combineTool(Combining how);
+  std::vector<glm::dvec3> lassoPlaces() const;
   bool runClay(Command command);
   bool runSolid(Command command);
   PickRay solidRay() const;
@@ -307,6 +332,7 @@ class Atelier {
   void hoverSolid();
   bool beginSolid();
   void dragSolid(glm::dvec2 to);
+  void brushSolid();
   void endSolid();
   void cancelSolid();
   void workSolid();
@@ -315,6 +341,11 @@ class Atelier {
   void wrapClay();
   void applyWrap();
   void bakeSolid();
+  void beginFelt();
+  void feel(const Publication& fresh);
+  void touchSolid();
+  void followHand();
+  void addForce(Overlays& overlays) const;
   std::vector<glm::dvec3> curvePlaces() const;
   bool beginCurve();
   void hoverCurve();
@@ -344,7 +375,7 @@ class Atelier {
   double pressure_ = 1;
   Hover hover_;
   Gesture gesture_ = Gesture::none;
-  bool gestureByKey_ = false;
+  bool gestureByKey_ = false, runsByKey_ = false;
   SculptState before_;
   ViewHistory views_;
   std::optional<glm::dvec3> airPoint_;
@@ -354,11 +385,19 @@ class Atelier {
   std::shared_ptr<const SolidShown> solidShown_;
   SolidHit solidHit_;
   glm::dvec3 dragged_{0};  // where the hand has taken the hit
+  glm::dvec3 handTo_{0};   // where the pointer would take it
+  std::unique_ptr<FeltHand> felt_;
+  std::optional<double> touched_;
   std::optional<glm::dvec3> joinFrom_;
   SolidCurve curve_;
   std::vector<glm::dvec3> curveStart_;  // where its points were when the drag began
   bool previewing_ = false;
   bool heldStroke_ = false;
+  bool lassoNext_ = false;
+  std::vector<glm::dvec2> lassoPixels_;
+  ViewState lassoView_;
+  std::optional<Lasso> lasso_;
+  std::optional<Combining> combining_;
   std::optional<std::size_t> lightHandle_;  // under the pointer, or dragged
   bool lightBehind_ = false;                // it was behind the clay when it was taken
   Studio studioSeen_;

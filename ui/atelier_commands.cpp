@@ -156,6 +156,13 @@ bool Atelier::isPossible(Command command) const {
     case Command::solidRest:
     case Command::solidDrop:
       return solidShown_ != nullptr;
+    case Command::uniteTool:
+    case Command::subtractTool:
+    case Command::intersectTool:
+      return sculpt.isFreeform();
+    case Command::copyPart:
+    case Command::cutPart:
+      return part().has_value() && !patches_.empty();
     case Command::dropSupports:
       return !status_.clay.supports.empty();
     case Command::relax:
@@ -194,7 +201,8 @@ void Atelier::run(Command command) {
     if (puckMoves != Moves::tool) heldTool_.reset();
     return;
   }
-  if (!runFile(command) && !runStroke(command) && !runClay(command) && !runSolid(command)) {
+  if (!runFile(command) && !runStroke(command) && !runClay(command) && !runSolid(command) &&
+      !runParts(command)) {
     runView(command);
   }
 }

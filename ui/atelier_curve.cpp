@@ -49,7 +49,7 @@ bool Atelier::beginCurve() {
     curveStart_ = curvePlaces();
     const auto controls = splineThrough(curveStart_);
     solidHit_ = {curve_.points[*curve_.handle], controls[*curve_.handle]};
-    dragged_ = solidHit_.place;
+    dragged_ = handTo_ = solidHit_.place;
     return true;
   }
   const bool known = std::ranges::find(curve_.points, solidHit_.element) != curve_.points.end();

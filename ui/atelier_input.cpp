@@ -48,6 +48,7 @@ Gesture Atelier::gestureFor(Button button, Modifiers with) const {
     return with.ctrl ? Gesture::zoom : Gesture::orbit;
   }
   if (button == Button::left && lightHandle_) return Gesture::lightHandle;
+  if (button == Button::left && lassoNext_) return Gesture::lasso;
   if (button == Button::left && boxHandle_) return Gesture::boxHandle;
   if (button == Button::left && supportAt(pointer_)) return Gesture::support;
   if (button == Button::left && mode_ == WorkMode::solid) return Gesture::solid;
@@ -74,11 +75,16 @@ void Atelier::press(Button button, Modifiers with) {
     return;
   }
   if (gesture_ != Gesture::none) return;
+  if (combining_ && button == Button::left) {
+    if (sculpt.isFreeform()) return combineTool(*combining_);
+    combining_.reset();
+  }
   pressedAt_ = pointer_;
   before_ = sculpt;
   gesture_ = gestureFor(button, with);
   if (gesture_ == Gesture::solid && !beginSolid()) gesture_ = Gesture::none;
   if (gesture_ == Gesture::support) chosenSupport = supportAt(pointer_);
+  if (gesture_ == Gesture::lasso) beginLasso();
   if (gesture_ == Gesture::stroke) beginStroke(pressure_);
 }
 
@@ -87,6 +93,7 @@ void Atelier::release(Button) {
   if (gestureByKey_ || gesture_ == Gesture::pickColour) return;
   if (gesture_ == Gesture::stroke) endStroke();
   if (gesture_ == Gesture::solid) endSolid();
+  if (gesture_ == Gesture::lasso) endLasso();
   gesture_ = Gesture::none;
   updateHover();
 }
@@ -121,6 +128,9 @@ void Atelier::dragTo(glm::dvec2 to) {
       return;
     case Gesture::solid:
       dragSolid(to);
+      return;
+    case Gesture::lasso:
+      drawLasso(to);
       return;
     default:
       dragValues(to - pointer_);
@@ -181,6 +191,8 @@ bool Atelier::key(const Chord& chord, bool repeated) {
   touch();
   if (chord.key == KeyCode::escape) {
     if (gesture_ == Gesture::none) dropCurve();
+    if (gesture_ == Gesture::lasso) gesture_ = Gesture::none;
+    dropParts();
     cancelStroke();
     cancelSolid();
     joinFrom_.reset();
@@ -202,7 +214,9 @@ bool Atelier::key(const Chord& chord, bool repeated) {
                        *command == Command::undo || *command == Command::redo ||
                        (*command >= Command::orbitLeft && *command <= Command::orbitDown);
   if (repeated && !repeats) return true;
+  runsByKey_ = true;
   if (isPossible(*command)) run(*command);
+  runsByKey_ = false;
   return true;
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr Ink kAdding{1, .725f, .541f, 1};       // #FFB98A
 constexpr Ink kCarving{.435f, .780f, .839f, 1};  // #6FC7D6
+constexpr Ink kLasso{.98f, .86f, .42f, 1};
 
 Ink inkFor(ActionKind action, Colour colour) {
   switch (action) {
@@ -164,6 +165,16 @@ void Atelier::addStage(Overlays& overlays) const {
     overlays.grid = grid;
   }
   overlays.lights = lightMarks();
+  if (auto places = lassoPlaces(); places.size() > 1) {
+    Polyline line;
+    line.points = std::move(places);
+    for (glm::dvec3& place : line.points) place /= status_.scale.spacing;
+    line.ink = kLasso;
+    line.width = 2;
+    line.hidden = 1;
+    line.closed = true;
+    overlays.lines.push_back(std::move(line));
+  }
   overlays.pictures = options.references;
   overlays.box = boxOutline();
 }

@@ -62,10 +62,11 @@ void Atelier::keep(ShelfKeepOperation operation) {
 
 // With what the hand does now, so that it comes back as it was used.
 void Atelier::keepClay(const std::string& name, std::vector<std::string> tags,
-                       ShelfDrawer::Part part) {
+                       ShelfDrawer::Part wanted) {
   ShelfKeepOperation operation{name, std::move(tags)};
-  if (part == ShelfDrawer::Part::insideBox && options.boxSize)
-    operation.source.region = WorldBox{options.boxSize->low, options.boxSize->high};
+  if (wanted == ShelfDrawer::Part::insideBox && options.boxSize)
+    operation.source.region = WorldRegion{options.boxSize->low, options.boxSize->high, {}};
+  if (wanted == ShelfDrawer::Part::insideLasso && lasso_) operation.source.region = part();
   StrokeOperation made{sculpt.strokeFrom({glm::dvec3(0), 1})};
   made.stroke.symmetry = {};
   operation.preset = {toText(ActionOperation{sculpt.options(sculpt.action)}), toText(made)};

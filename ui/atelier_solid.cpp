@@ -22,8 +22,9 @@ void Atelier::setMode(WorkMode mode) {
 
 // How it is to be shown.
 void Atelier::tellSolid() {
+  const WrapShown wrap = mode_ == WorkMode::solid ? WrapShown::asPosed : WrapShown::asClayIs;
   worker_.post(
-      [wish = SolidWish{solid.map, sculpt.colour}](ClayDesk& desk) { desk.showSolid(wish); });
+      [wish = SolidWish{solid.map, sculpt.colour, wrap}](ClayDesk& desk) { desk.showSolid(wish); });
 }
 
 PickRay Atelier::solidRay() const {
@@ -44,9 +45,14 @@ SolidHit Atelier::controlUnder() const {
   return {n, ray.origin + ray.direction * picked.front().depth};
 }
 
+// Of the solid's surface; in a wrap, of the clay's, where there is some.
 SolidHit Atelier::massUnder() const {
   const Lattice& mass = solidShown_->mass;
   const PickRay ray = solidRay();
+  if (solidShown_->solid->isWrap()) {
+    if (const auto clay = groundUnder(patches_, {ray.origin, ray.direction}, status_.scale.spacing))
+      return {nearest(mass, solidShown_->topology, Element::point, clay->position), clay->position};
+  }
   const auto picked = pickAlong(mass, solidShown_->topology, Element::face, ray);
   if (picked.empty()) return {};
   SolidHit hit{kNoId, ray.origin + ray.direction * picked.front().depth};
@@ -79,10 +85,12 @@ bool Atelier::beginSolid() {
   const SolidGrip grip = rowOf(solid.tool).grip;
   if (grip == SolidGrip::curve) return beginCurve();
   if (solidHit_.element == kNoId) return false;
-  dragged_ = solidHit_.place;
+  dragged_ = handTo_ = solidHit_.place;
+  if (solid.tool == SolidTool::rope || grip == SolidGrip::touch) beginFelt();
   if (grip == SolidGrip::drag) return true;
   workSolid();
-  return grip == SolidGrip::brush;
+  if (grip == SolidGrip::touch) touchSolid();
+  return grip == SolidGrip::brush || grip == SolidGrip::touch;
 }
 
 // A click or a dab of a brush.
@@ -143,14 +151,16 @@ Operation Atelier::solidDrag() const {
 
 void Atelier::dragSolid(glm::dvec2 to) {
   pointer_ = to;
-  if (rowOf(solid.tool).grip != SolidGrip::brush) {
-    dragged_ = onFacingPlane(view, rayThrough(view, extent_, to), solidHit_.place);
-    if (previewing_) return;  // the next one when this has arrived
-    previewing_ = true;
-    worker_.post([drag = solidDrag()](ClayDesk& desk) { desk.previewSolid(drag); });
-    return;
-  }
-  // A dab every half radius.
+  const SolidGrip grip = rowOf(solid.tool).grip;
+  if (grip == SolidGrip::touch) return touchSolid();
+  if (grip == SolidGrip::brush) return brushSolid();
+  handTo_ = onFacingPlane(view, rayThrough(view, extent_, to), solidHit_.place);
+  if (felt_) felt_->place(handTo_);
+  followHand();
+}
+
+// A dab every half radius.
+void Atelier::brushSolid() {
   const SolidHit hit = massUnder();
   if (hit.element == kNoId || glm::distance(hit.place, dragged_) < solid.radius / 2) return;
   solidHit_ = hit;
@@ -159,14 +169,18 @@ void Atelier::dragSolid(glm::dvec2 to) {
 }
 
 void Atelier::endSolid() {
-  if (rowOf(solid.tool).grip != SolidGrip::brush && dragged_ != solidHit_.place)
-    applySolid(solidDrag());
+  const SolidGrip grip = rowOf(solid.tool).grip;
+  const bool drags = grip == SolidGrip::drag || grip == SolidGrip::curve;
+  if (drags) dragged_ = felt_ ? felt_->tool() : handTo_;
+  if (drags && dragged_ != solidHit_.place) applySolid(solidDrag());
+  felt_.reset();
   previewing_ = false;
 }
 
 void Atelier::cancelSolid() {
   if (gesture_ != Gesture::solid) return;
   gesture_ = Gesture::none;
+  felt_.reset();
   previewing_ = false;
   tellSolid();
 }

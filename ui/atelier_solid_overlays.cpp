@@ -1,4 +1,6 @@
 // What solid mode draws over the clay: lattice, wires, what the tool would take, the curve.
+#include <glm/geometric.hpp>
+
 #include "bozzetto/solid/tools.hpp"
 #include "ui/atelier.hpp"
 
@@ -15,6 +17,7 @@ Polyline lineOf(std::vector<glm::dvec3> points, Ink colour, float width) {
 
 constexpr Ink kLattice{.373f, .722f, .788f, .9f}, kWires{.09f, .11f, .14f, .38f};
 constexpr Ink kChosen{.941f, .541f, .365f, 1}, kFaint{.941f, .541f, .365f, .45f};
+constexpr Ink kForce{.98f, .86f, .42f, 1};
 
 std::vector<glm::dvec3> inCells(std::vector<glm::dvec3> places, double spacing) {
   for (glm::dvec3& place : places) place /= spacing;
@@ -45,6 +48,27 @@ void Atelier::addSolid(Overlays& overlays) const {
   }
   addSolidHit(overlays);
   if (solid.tool == SolidTool::spline) addCurve(overlays);
+  addForce(overlays);
+}
+
+// From the tool, with a head that faces the viewer.
+void Atelier::addForce(Overlays& overlays) const {
+  const glm::dvec3 force = feltArrow();
+  const double length = glm::length(force), spacing = status_.scale.spacing;
+  if (!(length > 0)) return;
+  const bool touches = rowOf(solid.tool).grip == SolidGrip::touch;
+  const glm::dvec3 from = touches ? solidHit_.place : felt_->tool(), to = from + force;
+  const glm::dvec3 across = glm::cross(force, view.back());
+  const double wide = glm::length(across);
+  std::vector<std::vector<glm::dvec3>> strokes{{from, to}};
+  if (wide > 1e-3 * length) {
+    const glm::dvec3 back = to - 0.28 * force, side = across * (0.13 * length / wide);
+    strokes.push_back({back + side, to, back - side});
+  }
+  for (auto& stroke : strokes) {
+    overlays.lines.push_back(lineOf(inCells(std::move(stroke), spacing), kForce, 3));
+    overlays.lines.back().hidden = 1;
+  }
 }
 
 // Through its points, and between its controls.

@@ -166,8 +166,14 @@ void ClayDesk::put(std::vector<UnpackedPatch> patches) {
   for (UnpackedPatch& patch : patches) {
     auto& target = patch.fineness == Fineness::fine ? out_.fine : out_.coarse;
     const Key key = patch.origin;
+    auto& known = patch.fineness == Fineness::fine ? fine_ : coarse_;
     PatchRef ref;
     if (!patch.indices.empty()) ref = std::make_shared<const ShownPatch>(std::move(patch));
+    if (ref) {
+      known[key] = ref;
+    } else {
+      known.erase(key);
+    }
     target[key] = std::move(ref);
   }
 }
@@ -175,8 +181,7 @@ void ClayDesk::put(std::vector<UnpackedPatch> patches) {
 void ClayDesk::showAll() {
   bench().takeChanges();
   out_.cleared = true;
-  out_.fine.clear();
-  out_.coarse.clear();
+  for (auto* patches : {&out_.fine, &out_.coarse, &fine_, &coarse_}) patches->clear();
   if (structure_ == Structure::surface) {
     put(dresser_->rebuild(sculptor().field(), sculptor().surface()));
   } else {
@@ -274,6 +279,12 @@ ClayStatistics ClayDesk::count() const {
   return counted;
 }
 
-Publication ClayDesk::take() { return std::exchange(out_, {}); }
+Publication ClayDesk::take() {
+  if (posed_) {
+    posed_->carry(out_.fine);
+    posed_->carry(out_.coarse);
+  }
+  return std::exchange(out_, {});
+}
 
 }  // namespace bozzetto::ui

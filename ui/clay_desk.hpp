@@ -8,6 +8,7 @@
 #include "bozzetto/render/structure.hpp"
 #include "bozzetto/scene/background_save.hpp"
 #include "bozzetto/sculptor/recording.hpp"
+#include "ui/posed_clay.hpp"
 #include "ui/publication.hpp"
 
 namespace bozzetto::ui {
@@ -70,6 +71,8 @@ class ClayDesk {
   void showSolid(const SolidWish& wish);
   /// Shows what a move or a pull would do.
   void previewSolid(const Operation& drag);
+  /// Tells the stiffness there.
+  void touchSolid(const glm::dvec3& at, double radius);
 
   // Shelves (clay_desk_shelf.cpp).
   /// Lists all tools with the next publication; their pictures follow at rest.
@@ -131,6 +134,7 @@ class ClayDesk {
   void account();
   void holdOne(const Operation& wanted, std::string& held);
   void tellSolid(const SolidRef& solid);
+  void poseClay(const SolidRef& solid);
   void picture(ShelfCard& card);
   bool pictureNext();
   void tellStatus();
@@ -153,7 +157,9 @@ class ClayDesk {
   SolidWish solidWish_;
   SolidRef solidTold_;  // what the window shows
   double solidSpacing_ = 0;
-  std::optional<RunReport> solidRan_;  // the last physics, also of a preview
+  std::optional<RunReport> solidRan_;      // the last physics, also of a preview
+  std::map<Key, PatchRef> fine_, coarse_;  // the clay's own surface, as last told
+  std::unique_ptr<PosedClay> posed_;       // while a wrap is seen posed
   ShelfPictures pictures_ = ShelfPictures::none;
   std::map<std::string, std::shared_ptr<const Bytes>> starterPictures_;
   ClayStatus status_;

@@ -16,11 +16,33 @@ void ClayDesk::tellSolid(const SolidRef& solid) {
   solidSpacing_ = spacing;
   solidTold_ = solid;
   out_.solid = nullptr;
+  poseClay(solid);
   if (!solid) return;
   auto shown = std::make_shared<SolidShown>(
       *shownSolid(solid, {solidWish_.map, solidWish_.colour, spacing}));
   shown->ran = solidRan_;
   out_.solid = std::move(shown);
+}
+
+// The clay as a posed wrap would carry it; its own surface again when there is none.
+void ClayDesk::poseClay(const SolidRef& solid) {
+  const bool poses = solidWish_.wrap == WrapShown::asPosed && solid && solid->isWrap() &&
+                     solid->control.points != solid->wrapRest;
+  if (!poses && !posed_) return;
+  const double spacing = bench().field().scale.spacing;
+  if (poses) {
+    if (!posed_ || !posed_->isOf(*solid, spacing))
+      posed_ = std::make_unique<PosedClay>(*solid, spacing);
+    posed_->pose(solid->control.points);
+  } else {
+    posed_.reset();
+  }
+  for (const auto& [key, patch] : fine_) out_.fine[key] = patch;
+  for (const auto& [key, patch] : coarse_) out_.coarse[key] = patch;
+}
+
+void ClayDesk::touchSolid(const glm::dvec3& at, double radius) {
+  if (bench().solid()) out_.touched = probedStiffness(*bench().solid(), at, radius);
 }
 
 // What an operation of a drag would do, without doing it; physics as long as the hand has patience.

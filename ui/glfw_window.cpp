@@ -225,13 +225,14 @@ class Loop {
     const bool speaks = !atelier_.messages().empty();
     const bool talked = std::exchange(speaking_, speaks) || speaks;
     return lively_ > 0 || std::exchange(refine_, false) || interface_.hasEvents() ||
-           atelier_.hasNews() || atelier_.job() || talked;
+           atelier_.hasNews() || atelier_.job() || atelier_.feltHand() || talked;
   }
 
   void drawFrame(glm::dvec2 size) {
     const double start = lastStart_ = glfwGetTime();
     interface_.setScale(scaleFor(window_, atelier_));
-    const bool busy = interface_.hasEvents() || atelier_.hasNews() || atelier_.job();
+    const bool busy =
+        interface_.hasEvents() || atelier_.hasNews() || atelier_.job() || atelier_.feltHand();
     Publication fresh = interface_.frame(size, start);
     state_.follow(atelier_);
     settled_ = canvas_.draw(std::move(fresh), size);

@@ -1,6 +1,7 @@
 // The panel on the right: the tool in hand first, then how it is used, then all that is looked at.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "ui/icons.hpp"
@@ -94,6 +95,20 @@ void falloff(SculptState& sculpt) {
   falloffPlot(sculpt.profile);
 }
 
+// The tool from the shelf as a volume: the next click says where.
+void combineButtons(Atelier& atelier) {
+  constexpr std::array<std::pair<const char*, Command>, 3> kButtons{
+      {{"Unite", Command::uniteTool},
+       {"Subtract", Command::subtractTool},
+       {"Intersect", Command::intersectTool}}};
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * px(8)) / 3;
+  for (const auto& [label, command] : kButtons) {
+    if (command != Command::uniteTool) ImGui::SameLine();
+    const std::string tip(rowOf(command).tip);
+    if (button(label, {width, 0}, ButtonKind::plain, tip.c_str())) atelier.run(command);
+  }
+}
+
 }  // namespace
 
 void toolSection(Atelier& atelier) {
@@ -118,6 +133,7 @@ void toolSection(Atelier& atelier) {
   if (row.usesColour) {
     toggle("Its own colours", sculpt.ownColours, "The clay gets the colours of the sculpture.");
   }
+  combineButtons(atelier);
   if (button("Back to a ball", {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::plain,
              "Lets go of the tool from the shelf (Shift+Q).")) {
     sculpt.drop();

@@ -136,21 +136,27 @@ void keepForm(Atelier& atelier) {
   bool done = field("##name", "Name", drawer.name, drawer);
   done |= field("##tags", "Tags", drawer.tags, drawer);
   int part = int(drawer.part);
-  if (choice("part", part, {"All clay", "In the box"}, "Which clay becomes the tool.")) {
+  if (choice("part", part, {"All clay", "In the box", "In a lasso"},
+             "Which clay becomes the tool.")) {
     drawer.part = ShelfDrawer::Part(part);
+    if (drawer.part == ShelfDrawer::Part::insideLasso && !atelier.lasso())
+      atelier.run(Command::lasso);
     if (drawer.part == ShelfDrawer::Part::insideBox && !atelier.options.boxSize) {
       atelier.run(Command::fitBox);
     }
     atelier.options.box = drawer.part == ShelfDrawer::Part::insideBox;
   }
-  if (drawer.part == ShelfDrawer::Part::insideBox) {
+  if (drawer.part != ShelfDrawer::Part::allClay) {
+    const bool box = drawer.part == ShelfDrawer::Part::insideBox;
     ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::dim));
-    ImGui::TextWrapped("Drag the box's handles around the part.");
+    ImGui::TextWrapped("%s", box ? "Drag the box's handles around the part."
+                                 : "Draw round the part (Ctrl+L begins again).");
     ImGui::PopStyleColor();
   }
   const float width = ImGui::GetContentRegionAvail().x;
   done |= button("Keep", {width, 0}, ButtonKind::accent, "Puts it on this scene's shelf.");
   if (!done || drawer.name.empty()) return;
+  if (drawer.part == ShelfDrawer::Part::insideLasso && !atelier.lasso()) return;
   atelier.keepClay(drawer.name, tagsOf(drawer.tags), drawer.part);
   drawer.form = Form::none;
 }
@@ -210,7 +216,7 @@ float heightOf(const ShelfDrawer& drawer) {
   constexpr float kLine = 34;
   switch (drawer.form) {
     case Form::keep:
-      return px(4 * kLine + (drawer.part == ShelfDrawer::Part::insideBox ? 44.f : 4.f));
+      return px(4 * kLine + (drawer.part != ShelfDrawer::Part::allClay ? 44.f : 4.f));
     case Form::letters:
       return px(2 * kLine + 92);
     case Form::rename:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "ui/panels.hpp"
 #include "ui/solid_icons.hpp"
@@ -71,6 +72,14 @@ void toolOptions(Atelier& atelier) {
     if (choice("what", what, {"Point", "Edge", "Face"}, "What is tagged as sharp.")) {
       solid.sharpens = Element(what);
     }
+  }
+  if (row.grip == SolidGrip::touch) {
+    const auto touched = atelier.touched();
+    factLine("Stiffness", touched ? fmt::format("{:.3g}", *touched) : "–", "1 as usual.");
+  }
+  if (const FeltHand* hand = atelier.feltHand()) {
+    factLine("Force", fmt::format("{:.2f} N", glm::length(hand->force())),
+             "That a device would make you feel.");
   }
   if (row.grip == SolidGrip::curve) {
     factLine("Points", grouped((long long)atelier.curve().points.size()),
@@ -275,11 +284,25 @@ void drawCurve(const PanelContext& context) {
   }
 }
 
+// The tool behind the pointer, and how strongly it is held.
+void drawFelt(const PanelContext& context, const FeltHand& hand) {
+  const Atelier& atelier = context.atelier;
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  const glm::dvec2 at = atelier.corner() + pixelOf(atelier.view, atelier.extent(), hand.tool());
+  if (!context.layout.viewport.contains(at)) return;
+  const ImVec2 centre{float(at.x), float(at.y)};
+  list->AddCircleFilled(centre, px(5), ink(0xFADB6B), 20);
+  list->AddCircle(centre, px(5), ink(tint::onAccent), 20, px(1.4f));
+  drawText(list, fonts().semiBold, {centre.x + px(12), centre.y - px(8)}, ink(0xFADB6B),
+           fmt::format("{:.2f} N", glm::length(hand.force())));
+}
+
 // Points that can be taken, over everything.
 void drawSolidPoints(const PanelContext& context) {
   const Atelier& atelier = context.atelier;
   if (atelier.mode() != WorkMode::solid || !atelier.solidShown()) return;
   if (atelier.solid.tool == SolidTool::spline) drawCurve(context);
+  if (atelier.feltHand()) drawFelt(context, *atelier.feltHand());
   if (!atelier.solid.lattice) return;
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   const auto& points = atelier.solidShown()->control().points;

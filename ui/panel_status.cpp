@@ -40,6 +40,8 @@ std::vector<Hint> draggingHints(Gesture gesture) {
       return {{"", {}, "Shifting the view"}};
     case Gesture::zoom:
       return {{"", {}, "Zooming"}};
+    case Gesture::lasso:
+      return {{"", {}, "Draw round the part"}, {"Esc", {}, "Never mind"}};
     case Gesture::solid:
       return {{"", {}, "Let go to do it"}, {"Esc", {}, "As before"}};
     case Gesture::support:
@@ -88,6 +90,13 @@ std::vector<Hint> restingHints(const Atelier& atelier) {
   const Modifiers held = atelier.held();
   std::vector<Hint> hints;
   if (atelier.mode() == WorkMode::solid) return solidHints(atelier);
+  if (atelier.drawsLasso())
+    return {{"", MousePart::left, "Draw round the part"}, {"Esc", {}, "Never mind"}};
+  if (const auto how = atelier.combining()) {
+    const char* verbs[] = {"Unite the tool here", "Subtract the tool here",
+                           "Intersect with it here"};
+    return {{"", MousePart::left, verbs[int(*how)]}, {"Esc", {}, "Never mind"}};
+  }
   if (atelier.hoversLight()) {
     return {{"", MousePart::left, "Move this light; beyond the rim it goes behind the clay"}};
   }

@@ -101,6 +101,10 @@ void pickIn(const ShownPatch& patch, const Ray& ray, std::optional<SurfaceHit>& 
   }
 }
 
+std::size_t trianglesOf(const PatchRef& patch) {
+  return patch ? patch->data.indices.size() / 3 : 0;
+}
+
 }  // namespace
 
 std::size_t PatchSet::Hash::operator()(Key key) const {
@@ -116,23 +120,35 @@ void PatchSet::Chunk::measure() {
 }
 
 void PatchSet::put(Key origin, PatchRef patch) {
+  if (const auto old = loose_.find(origin); old != loose_.end()) {
+    triangles_ -= trianglesOf(old->second);
+    loose_.erase(old);
+  }
+  const bool loose = patch && patch->lies == Lies::anywhere;
+  putInChunk(origin, loose ? nullptr : patch);
+  bounds_.reset();
+  if (!loose) return;
+  triangles_ += trianglesOf(patch);
+  loose_[origin] = std::move(patch);
+}
+
+void PatchSet::putInChunk(Key origin, PatchRef patch) {
   const Key block = divided(origin, kPatchCells), key = divided(block, kSide);
   const Key local = block - key * kSide;
   std::shared_ptr<Chunk>& slot = chunks_[key];
   if (!slot) slot = std::make_shared<Chunk>();
   if (slot.use_count() > 1) slot = std::make_shared<Chunk>(*slot);
   PatchRef& old = slot->patches[std::size_t((local.i * kSide + local.j) * kSide + local.k)];
-  const auto countOf = [](const PatchRef& ref) { return ref ? ref->data.indices.size() / 3 : 0; };
-  triangles_ += countOf(patch) - countOf(old);
+  triangles_ += trianglesOf(patch) - trianglesOf(old);
   slot->count += (patch ? 1 : 0) - (old ? 1 : 0);
   old = std::move(patch);
   slot->measure();
   if (slot->count == 0) chunks_.erase(key);
-  bounds_.reset();
 }
 
 void PatchSet::clear() {
   chunks_.clear();
+  loose_.clear();
   triangles_ = 0;
   bounds_.reset();
 }
@@ -141,12 +157,14 @@ const CellBounds& PatchSet::bounds() const {
   if (bounds_) return *bounds_;
   bounds_.emplace();
   for (const auto& [key, chunk] : chunks_) bounds_->add(chunk->bounds);
+  for (const auto& [key, patch] : loose_) bounds_->add(patch->bounds);
   return *bounds_;
 }
 
 std::vector<CellBounds> PatchSet::boxes() const {
   std::vector<CellBounds> boxes;
   for (const auto& [key, chunk] : chunks_) boxes.push_back(chunk->bounds);
+  for (const auto& [key, patch] : loose_) boxes.push_back(patch->bounds);
   return boxes;
 }
 
@@ -176,6 +194,10 @@ std::optional<SurfaceHit> PatchSet::pick(const Ray& ray) const {
     if (found != chunks_.end()) best = pickIn(*found->second, at, ray);
     return best.has_value();
   });
+  for (const auto& [key, patch] : loose_) {
+    const CellBounds& box = patch->bounds;
+    if (!insideOf(ray, box.low - 1e-3, box.high + 1e-3).empty()) ui::pickIn(*patch, ray, best);
+  }
   return best;
 }
 

@@ -11,12 +11,17 @@
 
 namespace bozzetto::ui {
 
+/// Patches lie in the block they are named after, but for those of clay that is shown posed.
+enum class Lies { inItsBlock, anywhere };
+
 /// A patch ready to be drawn and picked.
 struct ShownPatch {
   UnpackedPatch data;
   CellBounds bounds;
+  Lies lies;
 
-  explicit ShownPatch(UnpackedPatch patch) : data(std::move(patch)), bounds(data.bounds()) {}
+  explicit ShownPatch(UnpackedPatch patch, Lies where = Lies::inItsBlock)
+      : data(std::move(patch)), bounds(data.bounds()), lies(where) {}
   std::size_t uploadBytes() const { return data.positions.size() * 28 + data.indices.size() * 4; }
 };
 using PatchRef = std::shared_ptr<const ShownPatch>;
@@ -45,6 +50,7 @@ class PatchSet {
 
   template <class Visit>
   void forEach(const Visit& visit) const {
+    for (const auto& [key, patch] : loose_) visit(*patch);
     for (const auto& [key, chunk] : chunks_)
       for (const PatchRef& patch : chunk->patches)
         if (patch) visit(*patch);
@@ -62,10 +68,12 @@ class PatchSet {
     std::size_t operator()(Key key) const;
   };
 
+  void putInChunk(Key origin, PatchRef patch);
   std::optional<SurfaceHit> pickIn(const Chunk& chunk, Key first, const Ray& ray) const;
 
   // Copying a set (to freeze what a stroke lies on) copies one pointer per chunk.
   std::unordered_map<Key, std::shared_ptr<Chunk>, Hash> chunks_;
+  std::unordered_map<Key, PatchRef, Hash> loose_;  // that lie anywhere
   std::size_t triangles_ = 0;
   mutable std::optional<CellBounds> bounds_;  // of all, when asked for
 };

@@ -65,7 +65,7 @@ HistoryView viewOf(const History<8>& history) {
 bool Publication::empty() const {
   return !cleared && fine.empty() && coarse.empty() && !floor && !status && !statistics &&
          !opened && pictures.empty() && !left && !saved && !comparison && !shelf && !taken &&
-         !solid && notes.empty() && errors.empty();
+         !solid && !touched && notes.empty() && errors.empty();
 }
 
 void Publication::add(Publication later) {
@@ -88,6 +88,7 @@ void Publication::add(Publication later) {
   replaceIf(shelf, later.shelf);
   replaceIf(taken, later.taken);
   replaceIf(solid, later.solid);
+  replaceIf(touched, later.touched);
   for (std::string& text : later.notes) notes.push_back(std::move(text));
   for (std::string& text : later.errors) errors.push_back(std::move(text));
 }

@@ -105,10 +105,12 @@ struct Comparison {
   FieldScale then, now;
 };
 
+enum class WrapShown { asClayIs, asPosed };
 /// How the solid is to be shown.
 struct SolidWish {
   SolidMap map = SolidMap::none;
   Colour colour;
+  WrapShown wrap = WrapShown::asClayIs;  ///< the clay in a wrap, as it would be carried
 };
 
 /// What strokes take.
@@ -132,6 +134,7 @@ struct Publication {
   std::optional<Comparison> comparison;
   std::optional<std::vector<ShelfCard>> shelf;
   std::optional<std::shared_ptr<const SolidShown>> solid;  ///< null: there is none
+  std::optional<double> touched;                           ///< stiffness where the probe is
   std::optional<Freeform> taken;                           ///< from a shelf
   std::vector<std::string> notes, errors;
 

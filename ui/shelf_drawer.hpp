@@ -11,7 +11,7 @@ namespace bozzetto::ui {
 struct ShelfDrawer {
   /// What is asked for at the bottom.
   enum class Form { none, keep, letters, rename, remove };
-  enum class Part { allClay, insideBox };
+  enum class Part { allClay, insideBox, insideLasso };
 
   bool open = false;
   std::vector<ShelfCard> cards;

@@ -162,8 +162,11 @@ std::shared_ptr<const SolidShown> shownSolid(std::shared_ptr<const Solid> solid,
   }
   shown->mass =
       asPhysics ? skin.surface : surfaceOf(refine(control, solid->settings.levels).lattice);
-  shown->surface = patchesOf(skin, style.spacing);
-  shown->wires = wiresOf(refined, skin, style.spacing);
+  // In a wrap the clay is to be seen, unless something is mapped.
+  if (!solid->isWrap() || style.map != SolidMap::none) {
+    shown->surface = patchesOf(skin, style.spacing);
+    shown->wires = wiresOf(refined, skin, style.spacing);
+  }
   shown->refinedCells = refined.cells.size();
   shown->refinedPoints = refined.points.size();
   return shown;

@@ -1,4 +1,5 @@
 // The drawer with shelves: tools are taken, used, kept, renamed, shared and deleted.
+#include <cmath>
 #include <cstdlib>
 
 #include "bozzetto/sculptor/shelf_tool.hpp"
@@ -25,6 +26,22 @@ class Shelf : public Null {
   void take(const std::string& name) {
     ASSERT_NE(card(name), nullptr) << name;
     atelier_.takeTool(card(name)->entry);
+    settle();
+  }
+  // A lasso round the middle of the view, a third as high as it.
+  void circle() {
+    tapCtrl(letter('L'));
+    settle();
+    const double radius = atelier_.extent().height / 6;
+    const auto at = [&](int n) {
+      const double turn = 6.283185307179586 * n / 24;
+      return middle() + radius * glm::dvec2(std::cos(turn), std::sin(turn));
+    };
+    moveTo(at(0));
+    settle();
+    post(ButtonChanged{Button::left, true});
+    for (int n = 1; n < 24; ++n) moveTo(at(n));
+    post(ButtonChanged{Button::left, false});
     settle();
   }
   // Of the first card.
@@ -223,6 +240,74 @@ TEST_F(Null, dabsStandAsThePlacementSays) {
   atelier_.setTool(ActionKind::remove);
   drag(middle(), middle() + glm::dvec2(0, 50));
   EXPECT_EQ(atelier_.status().last.dabs, 1);
+  expectReplays();
+}
+
+TEST_F(Shelf, aLassoIsCutPastedAndReplays) {
+  const double before = mass();
+  circle();
+  ASSERT_TRUE(atelier_.lasso());
+  EXPECT_GT(atelier_.overlays().lines.size(), 0u);
+  tapCtrl(letter('X'));
+  settle();
+  EXPECT_LT(mass(), before - 100) << "it is taken away";
+  EXPECT_FALSE(atelier_.lasso());
+  ASSERT_TRUE(atelier_.sculpt.isFreeform());
+  EXPECT_EQ(atelier_.sculpt.freeform->source.from, "shelf:copy");
+  EXPECT_EQ(atelier_.actionNow(), ActionKind::add);
+  EXPECT_TRUE(atelier_.sculpt.ownColours);
+  const double cut = mass();
+  click(middle());
+  EXPECT_GT(mass(), cut + 100) << "and put down again";
+  expectReplays();
+}
+
+TEST_F(Shelf, aPartInTheBoxIsCopiedAndTheClayStays) {
+  const double before = mass();
+  EXPECT_FALSE(atelier_.isPossible(Command::copyPart)) << "of nothing";
+  atelier_.run(Command::fitBox);
+  atelier_.options.box = true;
+  settle();
+  atelier_.options.boxSize->low.x = 0;
+  tapCtrl(letter('C'));
+  settle();
+  EXPECT_EQ(mass(), before);
+  ASSERT_TRUE(atelier_.sculpt.isFreeform());
+  EXPECT_NEAR(double(atelier_.sculpt.freeform->sculpture->bounds().low.i), 0, 1);
+}
+
+TEST_F(Shelf, aLassoIsKeptOnTheShelf) {
+  circle();
+  atelier_.keepClay("disc", {}, ShelfDrawer::Part::insideLasso);
+  settle();
+  atelier_.listShelf();
+  settle();
+  const auto same = [](const ShelfCard& card) { return card.entry.name == "disc"; };
+  EXPECT_EQ(std::ranges::count_if(atelier_.shelf.cards, same), 1);
+}
+
+TEST_F(Shelf, aToolIsUnitedSubtractedIntersected) {
+  EXPECT_FALSE(atelier_.isPossible(Command::uniteTool)) << "a ball is no sculpture";
+  atelier_.takeTool({"brick", {}, ToolEntry::Place::starter});
+  settle();
+  moveTo(middle());
+  settle();
+  const double before = mass();
+  tapCtrl(static_cast<KeyCode>('1'));
+  settle();
+  EXPECT_GT(mass(), before);
+  tapCtrl(letter('Z'));
+  settle();
+  EXPECT_EQ(mass(), before);
+  atelier_.run(Command::subtractTool);  // as a menu does: the next click says where
+  ASSERT_EQ(atelier_.combining(), Combining::subtract);
+  EXPECT_EQ(mass(), before);
+  click(middle());
+  EXPECT_LT(mass(), before);
+  EXPECT_FALSE(atelier_.combining());
+  tapCtrl(static_cast<KeyCode>('3'));
+  settle();
+  EXPECT_LT(mass(), before / 2);
   expectReplays();
 }
 

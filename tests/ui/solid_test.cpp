@@ -1,4 +1,8 @@
 // Solid mode in the window: made, worked on by every tool, baked, wrapped, seen.
+#include <chrono>
+#include <glm/geometric.hpp>
+#include <thread>
+
 #include "ui/null_window.hpp"
 
 namespace bozzetto::ui {
@@ -118,6 +122,50 @@ TEST_F(SolidMode, brushesAndRopeReplay) {
   EXPECT_TRUE(solidReplays());
 }
 
+TEST_F(SolidMode, theRopeIsFelt) {
+  use(SolidTool::rope);
+  moveTo(middle());
+  settle();
+  post(ButtonChanged{Button::left, true});
+  moveTo(middle() + glm::dvec2(120, 0));
+  settle();
+  ASSERT_NE(atelier_.feltHand(), nullptr);
+  // The hand is pulled back towards the clay: some ticks of a thread of its own.
+  for (int n = 0; n < 200 && glm::length(atelier_.feltHand()->force()) == 0; ++n) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    settle();
+  }
+  const glm::dvec3 force = atelier_.feltHand()->force();
+  EXPECT_LT(glm::dot(force, atelier_.view.right()), 0);
+  EXPECT_LE(glm::length(force), FeltHand::kMostForce);
+  EXPECT_LT(glm::dot(atelier_.feltArrow(), atelier_.view.right()), 0) << "drawn as it is felt";
+  post(ButtonChanged{Button::left, false});
+  settle();
+  EXPECT_EQ(atelier_.feltHand(), nullptr);
+  EXPECT_TRUE(solidReplays());
+}
+
+TEST_F(SolidMode, theProbeTellsAndResists) {
+  atelier_.applySolid(SolidPaintOperation{Matter::hardness, {0, 0, 20}, 60, 4});
+  settle();
+  use(SolidTool::probe);
+  const std::size_t before = steps();
+  moveTo(middle());
+  settle();
+  post(ButtonChanged{Button::left, true});
+  settle();
+  ASSERT_TRUE(atelier_.touched());
+  EXPECT_GT(*atelier_.touched(), 1.5);
+  for (int n = 0; n < 200 && glm::length(atelier_.feltHand()->force()) == 0; ++n) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    settle();
+  }
+  EXPECT_GT(glm::dot(atelier_.feltHand()->force(), atelier_.view.back()), 0) << "it pushes out";
+  post(ButtonChanged{Button::left, false});
+  settle();
+  EXPECT_EQ(steps(), before) << "touching changes nothing";
+}
+
 TEST_F(SolidMode, aCurveIsLaidDraggedAndReplays) {
   atelier_.lookFrom(0, 0);
   use(SolidTool::spline);
@@ -177,6 +225,36 @@ TEST_F(Null, aWrapCarriesTheClayAlong) {
   atelier_.run(Command::undo);
   settle();
   expectReplays();
+}
+
+// What is seen while a wrap is posed is what applying it gives, to a fraction of a cell.
+TEST_F(Null, clayIsSeenToFollowAWrap) {
+  const auto seen = [&] { return atelier_.patches().bounds(); };
+  const CellBounds before = seen();
+  atelier_.solid.cells = {2, 2, 2};
+  atelier_.run(Command::wrap);
+  settle();
+  EXPECT_EQ(seen().high, before.high) << "a wrap at rest shows the clay as it is";
+  for (int i = 0; i <= 4; ++i)
+    for (int k = 0; k <= 4; ++k) atelier_.applySolid(SolidMoveOperation{Key{i, 4, k}, {0, 20, 0}});
+  for (int i = 0; i <= 4; ++i)
+    for (int k = 0; k <= 4; ++k) atelier_.applySolid(SolidMoveOperation{Key{i, 3, k}, {0, 20, 0}});
+  settle();
+  const CellBounds posed = seen();
+  EXPECT_GT(posed.high.y, before.high.y + 5);
+  const glm::dvec3 top(0, posed.high.y + 50, 0);
+  const auto hit = atelier_.patches().pick({top, {0, -1, 0}});
+  ASSERT_TRUE(hit);
+  EXPECT_GT(hit->position.y, before.high.y + 5) << "it can be taken where it is seen";
+  atelier_.run(Command::solidMode);
+  settle();
+  EXPECT_EQ(seen().high, before.high) << "clay tools meet the clay as it is";
+  atelier_.run(Command::solidMode);
+  atelier_.solid.keepMass = false;
+  atelier_.run(Command::wrapApply);
+  settle();
+  EXPECT_NEAR(seen().high.y, posed.high.y, 0.6);
+  EXPECT_NEAR(seen().low.y, posed.low.y, 0.6);
 }
 
 }  // namespace
