@@ -1,7 +1,8 @@
 #include "bozzetto/solid/wrap_map.hpp"
 
-#include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "bozzetto/solid/refine.hpp"
 #include "solid/carry.hpp"
@@ -36,13 +37,23 @@ WrapMap::~WrapMap() = default;
 WrapMap::WrapMap(WrapMap&&) noexcept = default;
 WrapMap& WrapMap::operator=(WrapMap&&) noexcept = default;
 
+// Pieces are listed with the blocks whose corners they may hold: a place between corners of two
+// blocks may lie in a piece of either.
 WrapPlace WrapMap::find(const glm::dvec3& cell, const WrapPlace& near) const {
-  const Key block{static_cast<std::int32_t>(std::floor(cell.x / 8)),
-                  static_cast<std::int32_t>(std::floor(cell.y / 8)),
-                  static_cast<std::int32_t>(std::floor(cell.z / 8))};
+  const glm::dvec3 low = glm::floor(glm::floor(cell) / 8.0),
+                   high = glm::floor(glm::ceil(cell) / 8.0);
   PieceGrid::Hit hit{near.piece, near.uvw};
-  if (!impl_->rest.find(impl_->rest.near(block), cell, hit)) return {};
-  return {hit.piece, hit.uvw};
+  for (int n = 0; n < 8; ++n) {
+    const glm::bvec3 upper(n & 1, n >> 1 & 1, n >> 2);
+    const glm::dvec3 block = glm::mix(low, high, upper);
+    if (n > 0 &&
+        glm::any(glm::notEqual(glm::mix(glm::dvec3(0), high - low, upper), glm::dvec3(upper)))) {
+      continue;  // the same block again
+    }
+    const Key key{std::int32_t(block.x), std::int32_t(block.y), std::int32_t(block.z)};
+    if (impl_->rest.find(impl_->rest.near(key), cell, hit)) return {hit.piece, hit.uvw};
+  }
+  return {};
 }
 
 void WrapMap::pose(std::span<const glm::dvec3> control) { impl_->pose(control); }

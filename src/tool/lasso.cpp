@@ -1,9 +1,9 @@
 #include "bozzetto/tool/lasso.hpp"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <string>
 
 #include "bozzetto/base/error.hpp"
 
@@ -59,7 +59,8 @@ bool Lasso::holds(const glm::dvec3& place) const {
 void requireValid(const Lasso& lasso) {
   const std::size_t count = lasso.outline.size();
   if (count < 3 || count > kMostPoints)
-    throw Error(fmt::format("lasso: found {} points, expected 3 to {}", count, kMostPoints));
+    throw Error("lasso: found " + std::to_string(count) + " points, expected 3 to " +
+                std::to_string(kMostPoints));
   glm::dvec3 sum = lasso.eye;
   for (const glm::dvec2& point : lasso.outline) sum += glm::dvec3(point, 0);
   if (!std::isfinite(sum.x + sum.y + sum.z)) throw Error("lasso: found a place that is not finite");

@@ -50,9 +50,10 @@ TEST_F(Tools, aFileAsAToolIsItsScene) {
 }
 
 TEST_F(Tools, aLassoCutsAndPutsBack) {
-  const std::string cut = std::string(kBody) +
-                          "{\"op\":\"cut\",\"region\":{\"lasso\":[[-4,-3],[5,-3],[5,2],[-4,2]],"
-                          "\"view\":{\"eye\":[0,0,0],\"parallel\":true}}}\n";
+  const std::string cut =
+      std::string(kBody) +
+      "{\"op\":\"cut\",\"region\":{\"lasso\":[[-4.5,-3.5],[5.5,-3.5],[5.5,2.5],[-4.5,2.5]],"
+      "\"view\":{\"eye\":[0,0,0],\"parallel\":true}}}\n";
   const Clay body = replayed(kBody), rest = replayed(cut);
   EXPECT_EQ(rest.value({0, 0, 0}), 0);
   EXPECT_EQ(rest.value({5, 0, 2}), 0) << "as deep as it goes";
@@ -216,7 +217,7 @@ TEST_F(Tools, whatIsCutAndPastedIsThereAgain) {
   EXPECT_EQ(without.value({0, 0, 0}), 1);
   const Clay body = replayed(kBody);
   ToolSource source;
-  source.region = WorldBox{{2, -30, -30}, {30, 30, 30}};
+  source.region = WorldRegion{{2, -30, -30}, {30, 30, 30}, {}};
   ShelfTool at;
   at.clay = body;
   const glm::dvec3 pivot = sculptureOf(at, source)->centre();

@@ -76,6 +76,11 @@ TEST(WrapMap, CarriesPlacesAndNormalsAsClayGoes) {
   const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 2, 3));
   const glm::dvec3 expected = glm::normalize(normal / glm::dvec3(1.3, 1, 0.9));
   EXPECT_LT(glm::distance(map.turned(inside, normal), expected), 1e-12);
+  // No place is lost between the corners of blocks.
+  for (int n = 0; n < 4000; ++n) {
+    const glm::dvec3 place(-18 + n % 37, -37 + n * 7 % 75, -18 + n * 11 % 37);
+    EXPECT_TRUE(map.find(place + 0.37 * glm::dvec3(n % 3 - 1, n % 5 - 2, n % 4 - 1)).isInside());
+  }
   // Neighbours help each other and change nothing.
   const WrapPlace again = map.find(cell, map.find(cell + 0.3));
   EXPECT_LT(glm::distance(map.carried(again), map.carried(inside)), 1e-8);

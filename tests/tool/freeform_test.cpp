@@ -3,6 +3,7 @@
 
 #include "bozzetto/base/simd.hpp"
 #include "bozzetto/field/sampler.hpp"
+#include "bozzetto/tool/combine.hpp"
 #include "bozzetto/tool/sculpture.hpp"
 #include "tool/tool_fixture.hpp"
 
