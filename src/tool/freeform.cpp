@@ -14,6 +14,7 @@ constexpr double kRounding = 1.0 / 16;  // of positions over a whole tool: cells
 
 #if defined(__x86_64__)
 BOZZETTO_TARGET_AVX2 void alignedAvx2(const TilePatch& patch, float* result) {
+  if (patch.frame.step[2][2] == 1 << kFractionBits) return oneByOneAvx2(patch, result);
   alignedBody<8>(patch, result);
 }
 #endif
