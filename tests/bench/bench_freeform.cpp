@@ -3,6 +3,8 @@
 // what duplicating a scene of 100,000 blocks takes.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+
 #include "bozzetto/base/parallel.hpp"
 #include "bozzetto/tool/fill.hpp"
 #include "bozzetto/tool/sculpture.hpp"
@@ -81,11 +83,16 @@ void duplicate(benchmark::State& state) {
     block->value[7] = 0.25f;
     clay.tree.put({n / 2500, n / 50 % 50, n % 50}, CornerBlock<8>::canonical(block));
   }
+  // The whole of it: copy of the tree, bounds, pivot.
+  double best = 1e9;
   for (auto _ : state) {
     const double start = workload::seconds();
     const auto tool = std::make_unique<Sculpture>(clay);
-    state.SetIterationTime(workload::seconds() - start);
+    const double passed = workload::seconds() - start;
+    state.SetIterationTime(passed);
+    best = std::min(best, passed);
   }
+  state.counters["best_ms"] = 1000 * best;
 }
 
 void add(const char* name, const Job& job) {
