@@ -228,6 +228,7 @@ class Atelier {
   ShelfDrawer shelf;
   bool paletteOpen = false;
   bool panelsShown = true;
+  bool quadBuffer = false;  ///< the window has left and right buffers; whoever draws says so
   bool lightsOpen = false;  ///< the lights' section: their handles show
   bool historyShown = false;
   std::optional<Comparison> comparison;  ///< shown until it is closed
@@ -300,6 +301,7 @@ class Atelier {
   void tell(const Publication& fresh);
   void saved(const SavedFile& file);
   void close();
+  Leaving leaving();
   void leaveDocument();
   void whenDone(std::shared_ptr<LongJob> job, std::function<void()> then);
   void startNew(NewClay kind, const std::filesystem::path& path = {});

@@ -53,8 +53,13 @@ void Atelier::close() {
   closing_ = true;
 }
 
+// What the user said is done once, and only when there is something instead.
+Leaving Atelier::leaving() {
+  return std::exchange(discarding_, false) ? Leaving::discard : Leaving::keep;
+}
+
 void Atelier::leaveDocument() {
-  if (std::exchange(discarding_, false)) worker_.post([](ClayDesk& desk) { desk.discard(); });
+  if (leaving() == Leaving::discard) worker_.post([](ClayDesk& desk) { desk.discard(); });
 }
 
 void Atelier::startNew(NewClay kind, const fs::path& path) {
@@ -68,9 +73,10 @@ void Atelier::openScene(const fs::path& path) {
   if (!fs::exists(path) && !identityOf(historyFolderOf(path))) {
     return startNew(NewClay::ball, path);
   }
-  leaveDocument();
   whenDone(worker_.start("Opening " + path.filename().string(),
-                         [path](ClayDesk& desk, Progress& progress) { desk.open(path, progress); }),
+                         [path, leaving = leaving()](ClayDesk& desk, Progress& progress) {
+                           desk.open(path, progress, leaving);
+                         }),
            [this, path] { settings.remember(path); });
 }
 
@@ -107,9 +113,10 @@ void Atelier::importMesh(const fs::path& path, int cells) {
   how.from = fs::absolute(path).string();
   how.cells = cells;
   how.colour = sculpt.colour;
-  leaveDocument();
   whenDone(worker_.start("Importing " + path.filename().string(),
-                         [how](ClayDesk& desk, Progress& progress) { desk.import(how, progress); }),
+                         [how, leaving = leaving()](ClayDesk& desk, Progress& progress) {
+                           desk.import(how, progress, leaving);
+                         }),
            {});
 }
 

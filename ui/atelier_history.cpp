@@ -35,11 +35,11 @@ void Atelier::answerRecovered(bool asSaved) {
 void Atelier::openLeftBehind(const std::filesystem::path& path) {
   dialog = Dialog::none;
   ifSaved([this, path] {
-    leaveDocument();
-    whenDone(
-        worker_.start("Opening what was left behind",
-                      [path](ClayDesk& desk, Progress& progress) { desk.open(path, progress); }),
-        {});
+    whenDone(worker_.start("Opening what was left behind",
+                           [path, leaving = leaving()](ClayDesk& desk, Progress& progress) {
+                             desk.open(path, progress, leaving);
+                           }),
+             {});
   });
 }
 

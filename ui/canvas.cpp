@@ -325,6 +325,9 @@ std::size_t Canvas::Impl::upload() {
 Canvas::Canvas(Interface& interface, Atelier& atelier) : impl_(std::make_unique<Impl>()) {
   impl_->interface = &interface;
   impl_->atelier = &atelier;
+  GLboolean twoEyes = GL_FALSE;
+  glGetBooleanv(GL_STEREO, &twoEyes);
+  atelier.quadBuffer = twoEyes == GL_TRUE;
   ImGui_ImplOpenGL3_Init("#version 330 core");
   impl_->makeBalls();
   impl_->viewport = std::make_unique<Viewport>(impl_->renderer);

@@ -1,24 +1,13 @@
 #include "ui/clay_desk.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/surface/statistics.hpp"
-#include "ui/clay_desk_saving.hpp"
+#include "ui/clay_desk_parts.hpp"
 
 namespace bozzetto::ui {
-
-// Notices become notes in the window.
-class ClayDesk::Telling : public Progress {
- public:
-  Telling(Progress& outer, ClayDesk& desk) : outer_(&outer), desk_(&desk) {}
-  bool report(std::string_view what, double done) override { return outer_->report(what, done); }
-  void note(std::string_view text) override { desk_->note(std::string(text)); }
-
- private:
-  Progress* outer_;
-  ClayDesk* desk_;
-};
 
 void ClayDesk::apply(const Operation& operation, Progress& progress) {
   cancelStroke();
@@ -124,24 +113,38 @@ void ClayDesk::cancelStroke() {
 // Another state that was looked at makes room for ours.
 void ClayDesk::settleHand() { peek(std::nullopt); }
 
+// The clay itself and its history stay where they are.
 void ClayDesk::peek(std::optional<StepNumber> step) {
-  if (!step && !ownPlace_) return;
-  if (stroke_) return;
-  const StepNumber own = ownPlace_.value_or(history().place());
-  const StepNumber target = step.value_or(own);
-  if (step) ownPlace_ = own;
-  if (target != history().place()) status_.last = bench().apply(GoToOperation{target});
-  if (!step) ownPlace_.reset();
+  if (stroke_ || (!step && !peek_)) return;
+  const auto before = std::exchange(peek_, nullptr);
   status_.peek = step;
-  show();
+  if (before && !before->sameGrid) {
+    showAll();
+  } else if (before) {
+    put(dresser_->refresh(sculptor().field(), sculptor().surface(), before->blocks,
+                          before->patches));
+    rest_ = Rest::light;
+    tellStatus();
+  }
+  if (!step) return;
+  peek_ = std::make_unique<Peek>(bench().history().fieldAt(*step, sculptor().field()), sculptor());
+  if (structure_ != Structure::surface) peek_->sameGrid = false;
+  if (!peek_->sameGrid) out_.cleared = true;
+  put(peek_->sameGrid
+          ? dresser_->refresh(peek_->clay, peek_->surface, peek_->blocks, peek_->patches)
+          : dresser_->rebuild(peek_->clay, peek_->surface));
+  tellStatus();
 }
 
 void ClayDesk::compare(StepNumber step) {
   cancelStroke();
   settleHand();
-  const Clay then = bench().history().fieldAt(step, sculptor().field());
+  const Peek then(bench().history().fieldAt(step, sculptor().field()), sculptor());
   const Clay& now = sculptor().field();
-  out_.comparison = Comparison{step, bozzetto::compare(then, now), then.scale, now.scale};
+  Comparison found{step, bozzetto::compare(then.clay, now), then.clay.scale, now.scale};
+  found.volumeThen = then.volume();
+  found.volumeNow = measure(sculptor().surface()).volume * std::pow(now.scale.spacing, 3);
+  out_.comparison = found;
 }
 
 void ClayDesk::keepPicture(StepNumber step, Bytes png) {
@@ -206,7 +209,7 @@ void ClayDesk::show() {
 }
 
 void ClayDesk::tellStatus() {
-  status_.scale = sculptor().field().scale;
+  status_.scale = peek_ ? peek_->clay.scale : sculptor().field().scale;
   status_.bounds = bounds_;
   if (!status_.inStroke) status_.stage = Stage::around(bounds_);
   status_.mass = status_.last.massAfter;
@@ -214,7 +217,7 @@ void ClayDesk::tellStatus() {
   tellSolid(sculptor().solid());
   status_.isLit = rest_ != Rest::light;
   status_.operations = recording_.operations.size();
-  if (!ownPlace_ && std::exchange(historyMoment_, history().moment()) != history().moment()) {
+  if (std::exchange(historyMoment_, history().moment()) != history().moment()) {
     status_.history = std::make_shared<const HistoryView>(viewOf(history()));
     status_.done = status_.history->done;
   }
@@ -228,7 +231,7 @@ void ClayDesk::setStructure(Structure structure) {
 }
 
 bool ClayDesk::settle() {
-  if (stroke_) return false;
+  if (stroke_ || peek_) return false;
   switch (rest_) {
     case Rest::light: {
       std::vector<UnpackedPatch> better = dresser_->settle(sculptor().surface());
@@ -276,6 +279,9 @@ ClayStatistics ClayDesk::count() const {
   counted.edges = surface.edges;
   counted.triangles = surface.triangles;
   counted.components = surface.components;
+  const SurfaceMeasure measured = measure(sculptor().surface());
+  counted.volume = measured.volume * std::pow(field.scale.spacing, 3);
+  counted.area = measured.area * field.scale.spacing * field.scale.spacing;
   return counted;
 }
 

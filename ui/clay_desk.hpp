@@ -15,6 +15,9 @@ namespace bozzetto::ui {
 
 enum class ShelfPictures { none, made };
 
+/// What becomes of work that was not saved when another document comes.
+enum class Leaving { keep, discard };
+
 enum class NewClay { empty, ball, block };
 
 class ClayDesk {
@@ -29,9 +32,11 @@ class ClayDesk {
   // Documents. Each throws Error and leaves something sound on the desk.
   /// Without a name it lives in the user's state folder until it gets one.
   void startNew(NewClay kind, const std::filesystem::path& path = {});
-  /// As of the last thing that happened to it, saved or not.
-  void open(const std::filesystem::path& path, Progress& progress);
-  void import(const ImportOperation& operation, Progress& progress);
+  /// As of the last thing that happened to it, saved or not. What cannot be opened, or imported,
+  /// leaves what is there.
+  void open(const std::filesystem::path& path, Progress& progress, Leaving leaving = Leaving::keep);
+  void import(const ImportOperation& operation, Progress& progress,
+              Leaving leaving = Leaving::keep);
   /// In the background; the publication tells how it went. Throws where it cannot even begin.
   void save(const std::filesystem::path& path, const SceneParts& parts);
   /// A copy beside `path`; we go on with the file we have.
@@ -125,6 +130,8 @@ class ClayDesk {
   bool isModified() const;
   void lay(Session session);
   void putAway();
+  void leave(Leaving leaving);
+  Session begin(const std::filesystem::path& path);
   void settleHand();
   StepNumber newestStep() const;
   void show();
@@ -149,7 +156,8 @@ class ClayDesk {
   std::unique_ptr<Dresser> dresser_;
   /// The state that nobody has worked on: the first shape of a new document.
   std::optional<StepNumber> begun_;
-  std::optional<StepNumber> ownPlace_;  // while another state is looked at
+  struct Peek;
+  std::unique_ptr<Peek> peek_;  // another state, while it is looked at
   std::vector<StepNumber> pictureless_;
   Recording recording_;
   std::string heldTool_, heldAction_, heldClay_;  // operations last told; empty: not known

@@ -6,7 +6,7 @@
 #include "bozzetto/mesh/decimate.hpp"
 #include "bozzetto/surface/welded.hpp"
 #include "ui/clay_desk.hpp"
-#include "ui/clay_desk_saving.hpp"
+#include "ui/clay_desk_parts.hpp"
 
 namespace bozzetto::ui {
 namespace {
@@ -51,7 +51,6 @@ void ClayDesk::lay(Session session) {
   recording_ = {};
   heldTool_ = heldAction_ = heldClay_ = "";
   begun_.reset();
-  ownPlace_.reset();
   const std::uint64_t version = status_.version + 1;
   status_ = {};
   status_.version = version;
@@ -92,33 +91,58 @@ void ClayDesk::discard() {
   *session_ = Session::inMemory(options());
 }
 
-void ClayDesk::startNew(NewClay kind, const fs::path& path) {
-  putAway();
+// A new one; in memory where there is no place for it.
+Session ClayDesk::begin(const fs::path& path) {
   try {
-    lay(Session::create(path, options()));
+    return Session::create(path, options());
   } catch (const Error& error) {
     fail(error.what());
     fail("Nothing is kept on the disk until the scene is saved");
-    lay(Session::inMemory(options()));
+    return Session::inMemory(options());
   }
+}
+
+void ClayDesk::startNew(NewClay kind, const fs::path& path) {
+  putAway();
+  lay(begin(path));
   if (kind != NewClay::empty) apply(firstShape(kind));
   begun_ = history().place();
   tellStatus();
 }
 
-void ClayDesk::open(const fs::path& path, Progress& progress) {
+void ClayDesk::leave(Leaving leaving) {
+  if (leaving == Leaving::discard) discard();
   putAway();
-  try {
-    lay(Session::open(path, options(), progress));
-  } catch (...) {
-    lay(Session::inMemory(options()));
-    throw;
-  }
 }
 
-void ClayDesk::import(const ImportOperation& operation, Progress& progress) {
-  startNew(NewClay::empty);
-  apply(operation, progress);
+// Our own file is free for the new session only when we have left it: then a look comes first.
+void ClayDesk::open(const fs::path& path, Progress& progress, Leaving leaving) {
+  std::error_code ignored;
+  const bool own = fs::equivalent(path, session_->path(), ignored);
+  if (own) {
+    Session::look(path, options(), progress);
+    leave(leaving);
+  }
+  Session opened = Session::open(path, options(), progress);
+  if (!own) leave(leaving);
+  lay(std::move(opened));
+}
+
+void ClayDesk::import(const ImportOperation& operation, Progress& progress, Leaving leaving) {
+  Session made = begin({});
+  Telling telling(progress, *this);
+  OperationReport report;
+  try {
+    report = made.sculptor().apply(operation, telling);
+  } catch (...) {
+    Session::discard(std::move(made));
+    throw;
+  }
+  leave(leaving);
+  lay(std::move(made));
+  recording_.operations.push_back(operation);
+  status_.last = report;
+  tellStatus();
 }
 
 // What the window knows of the document.
@@ -195,14 +219,14 @@ void ClayDesk::discardLeftBehind(const fs::path& path) {
 // A new shape that nobody has touched is no work, and a file that holds all is none either.
 bool ClayDesk::isModified() const {
   if (session_->saved()) return false;
-  return ownPlace_.value_or(history().place()) != begun_;
+  return history().place() != begun_;
 }
 
 Keeping ClayDesk::keeping() const {
   const History<8>& steps = history();
   Keeping keeping;
   keeping.path = session_->path();
-  keeping.modified = ownPlace_ ? status_.keeping.modified : isModified();
+  keeping.modified = isModified();
   keeping.readOnly = session_->findings().readOnly;
   keeping.kept = steps.onDisk() && steps.durableMoment() >= steps.moment();
   keeping.trouble = session_->trouble();

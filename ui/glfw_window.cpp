@@ -56,7 +56,13 @@ WindowHandle openWindow(const std::string& title) {
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   glfwWindowHint(GLFW_DEPTH_BITS, 24);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "bozzetto");
+  glfwWindowHint(GLFW_STEREO, GLFW_TRUE);  // few drivers have it
   WindowHandle window(glfwCreateWindow(kWidth, kHeight, title.c_str(), nullptr, nullptr));
+  if (!window) {
+    glfwGetError(nullptr);
+    glfwWindowHint(GLFW_STEREO, GLFW_FALSE);
+    window.reset(glfwCreateWindow(kWidth, kHeight, title.c_str(), nullptr, nullptr));
+  }
   if (!window) fail("OpenGL 3.3 is needed");
   glfwSetWindowPos(window.get(), 0, 0);
   glfwShowWindow(window.get());

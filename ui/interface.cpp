@@ -48,6 +48,14 @@ Interface::~Interface() { ImGui::DestroyContext(context_); }
 
 void Interface::setScale(float scale) { scale_ = std::clamp(scale, 0.5f, 4.f); }
 
+// Menus and panels fit into the window. In steps: every other scale needs fonts of its own.
+float Interface::fittingScale(glm::dvec2 size) const {
+  constexpr double kLeastWidth = 880, kLeastHeight = 480, kSteps = 8;
+  const double most = std::min(size.x / kLeastWidth, size.y / kLeastHeight);
+  const double step = std::max(std::floor(most * kSteps) / kSteps, 0.5);
+  return std::min(scale_, float(step));
+}
+
 bool Interface::panelsHavePointer() const {
   return atelier_->dialog != Dialog::none || atelier_->paletteOpen ||
          ImGui::GetIO().WantCaptureMouse;
@@ -169,9 +177,10 @@ void Interface::feed() {
 
 Publication Interface::frame(glm::dvec2 size, double now) {
   ImGui::SetCurrentContext(context_);
-  if (scale_ != builtScale_) {
-    useTheme(scale_);
-    builtScale_ = scale_;
+  const float scale = fittingScale(size);
+  if (scale != builtScale_) {
+    useTheme(scale);
+    builtScale_ = scale;
     ++fontsVersion_;
   }
   ImGuiIO& io = ImGui::GetIO();
@@ -179,10 +188,10 @@ Publication Interface::frame(glm::dvec2 size, double now) {
   io.DeltaTime = float(std::clamp(now - last_, 1e-4, 0.25));
   last_ = now;
   atelier_->setTime(now);
-  layout_ = layoutFor(size, scale_, atelier_->panelsShown && !atelier_->fullScreen,
+  layout_ = layoutFor(size, scale, atelier_->panelsShown && !atelier_->fullScreen,
                       atelier_->shelf.open ? Drawer::open : Drawer::closed);
   const Rect& at = layout_.viewport;
-  atelier_->setViewport(at.low, {at.width(), at.height()}, scale_);
+  atelier_->setViewport(at.low, {at.width(), at.height()}, scale);
   Publication fresh = atelier_->poll();
   feed();
   const bool byKeyboard = atelier_->dialog != Dialog::none;

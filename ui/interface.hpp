@@ -16,7 +16,8 @@ class Interface {
   Interface(const Interface&) = delete;
   Interface& operator=(const Interface&) = delete;
 
-  /// Of the interface; fonts are built anew before the next frame when it changes.
+  /// Of the interface, less where the window is too small for it; fonts are built anew before the
+  /// next frame when it changes.
   void setScale(float scale);
   /// Grows when the fonts have changed: the texture is to be made anew.
   int fontsVersion() const { return fontsVersion_; }
@@ -44,6 +45,7 @@ class Interface {
   bool panelsHavePointer() const;
   bool panelsHaveKeys() const;
   void build();
+  float fittingScale(glm::dvec2 size) const;
 
   Atelier* atelier_;
   ImGuiContext* context_;

@@ -20,6 +20,8 @@ void claySection(Atelier& atelier) {
   const CellBounds& bounds = status.bounds;
   factLine("Triangles", grouped((long long)atelier.patches().triangles()));
   factLine("Mass", fmt::format("{:.6g} mm³", counted.field.mass), "Σ density × cell volume.");
+  factLine("Volume", fmt::format("{:.6g} mm³", counted.volume), "Inside the surface.");
+  factLine("Area", fmt::format("{:.6g} mm²", counted.area), "Of the surface.");
   if (!bounds.empty()) {
     factLine("Size", millimetres((bounds.high - bounds.low) * spacing) + " mm");
   }

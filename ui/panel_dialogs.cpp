@@ -179,8 +179,9 @@ bool hasExtras(Dialog dialog) {
 bool fileList(FileDialog& state) {
   bool accepted = false;
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ink(tint::well));
-  ImGui::BeginChild("files", {0, -px(hasExtras(state.open) ? 84.f : 44.f)}, false,
-                    ImGuiWindowFlags_NavFlattened);
+  const float below = ImGui::GetFrameHeightWithSpacing() * (hasExtras(state.open) ? 2.f : 1.f);
+  ImGui::BeginChild("files", {0, -below}, false, ImGuiWindowFlags_NavFlattened);
+  ImGui::SetCursorPosY(px(7));
   ImGui::Indent(px(8));
   ImGuiListClipper clipper;
   clipper.Begin(int(state.browser.entries().size()));
@@ -248,16 +249,8 @@ void folderLine(FileDialog& state) {
 
 void fileDialog(Atelier& atelier, FileDialog& state, const Purpose& purpose) {
   if (state.open != atelier.dialog) begin(state, atelier, purpose);
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, 0, {.5f, .5f});
-  ImGui::SetNextWindowSize(
-      {std::min(px(640), screen.x - px(40)), std::min(px(480), screen.y - px(40))});
-  ImGui::OpenPopup(purpose.title);
   bool open = true;
-  if (!ImGui::BeginPopupModal(purpose.title, &open,
-                              ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    return;
-  }
+  if (!beginModal(purpose.title, {px(640), px(480)}, &open)) return;
   folderLine(state);
   bool accepted = fileList(state);
   extras(state);
@@ -291,14 +284,7 @@ void fileDialog(Atelier& atelier, FileDialog& state, const Purpose& purpose) {
 }
 
 void unsavedDialog(Atelier& atelier) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, 0, {.5f, .5f});
-  ImGui::SetNextWindowSize({px(420), 0});
-  ImGui::OpenPopup("Unsaved work");
-  if (!ImGui::BeginPopupModal("Unsaved work", nullptr,
-                              ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    return;
-  }
+  if (!beginModal("Unsaved work", {px(420), 0})) return;
   ImGui::PushTextWrapPos();
   const std::string text = "“" + atelier.title() + "” has changes that are not saved.";
   ImGui::TextUnformatted(text.c_str());
@@ -323,13 +309,11 @@ void unsavedDialog(Atelier& atelier) {
 void drawDialogs(const PanelContext& context) {
   static FileDialog state;
   Atelier& atelier = context.atelier;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(10));
   if (const Purpose* purpose = purposeOf(atelier.dialog)) {
     fileDialog(atelier, state, *purpose);
   } else if (atelier.dialog == Dialog::unsaved) {
     unsavedDialog(atelier);
   }
-  ImGui::PopStyleVar();
 }
 
 }  // namespace bozzetto::ui

@@ -21,7 +21,7 @@ void mouseTable() {
     ImGui::TextUnformatted(row[0]);
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::dim));
-    ImGui::TextUnformatted(row[1]);
+    ImGui::TextWrapped("%s", row[1]);
     ImGui::PopStyleColor();
   }
 }
@@ -71,18 +71,10 @@ void keyTables(Atelier& atelier) {
 void drawHelp(const PanelContext& context) {
   Atelier& atelier = context.atelier;
   if (atelier.dialog != Dialog::help) return;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size{std::min(px(620), screen.x - px(40)), std::min(px(620), screen.y - px(40))};
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, 0, {.5f, .5f});
-  ImGui::SetNextWindowSize(size);
-  ImGui::OpenPopup("Keys and help");
   bool open = true;
-  if (!ImGui::BeginPopupModal("Keys and help", &open,
-                              ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    return;
-  }
+  if (!beginModal("Keys and help", {px(720), px(620)}, &open)) return;
   int profile = int(atelier.keymap.profile());
-  if (choice("profile", profile, {"Like Blender", "Like ZBrush"}, "Two sets of keys.")) {
+  if (choice("##profile", profile, {"Like Blender", "Like ZBrush"}, "Two sets of keys.")) {
     atelier.keymap.setProfile(KeyProfile(profile));
   }
   ImGui::BeginChild("keys", {0, -px(40)});

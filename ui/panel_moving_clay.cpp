@@ -90,7 +90,7 @@ void diffusion(clay::Settings& settings) {
   const std::array<std::array<double, 2>, 3> profiles{clay::kUniform, clay::kLinear,
                                                       clay::kGaussian};
   int profile = int(std::ranges::find(profiles, settings.profile) - profiles.begin());
-  if (choice("profile", profile, {"Even", "Straight", "Bell"}, "How what spreads is shared out.")) {
+  if (choice("Spreads", profile, {"Even", "Straight", "Bell"}, "How what spreads is shared out.")) {
     settings.profile = profiles[std::size_t(profile)];
   }
 }
@@ -103,7 +103,8 @@ void automaton(clay::Settings& settings) {
     settings.sweeps = int(std::lround(sweeps));
   }
   int sharing = int(settings.sharing);
-  if (choice("sharing", sharing, {"No more than needed", "As in the paper"}, "How blocks share.")) {
+  if (choice("Blocks share", sharing, {"No more than needed", "As in the paper"},
+             "How blocks share.")) {
     settings.sharing = clay::SharingRule(sharing);
   }
 }
@@ -116,7 +117,7 @@ void movingSection(Atelier& atelier) {
          "0 fluid: only what is near gives way; 100 dry: the piece follows.");
   for (const LayerKind layer : ordered(settings)) layerLine(settings, layer);
   int scheme = int(settings.scheme);
-  if (choice("scheme", scheme, {"Projected", "As in the paper"},
+  if (choice("Scheme", scheme, {"Projected", "As in the paper"},
              "Projected holds at today's sizes; the paper's is Dewaele and Cani to the letter.")) {
     settings.scheme = clay::Scheme(scheme);
   }

@@ -7,10 +7,12 @@ namespace bozzetto::ui {
 namespace {
 
 void tools(Atelier& atelier) {
-  const float gap = px(6), side = (ImGui::GetContentRegionAvail().x - 4 * gap) / 5;
+  const float gap = px(6), side = (ImGui::GetContentRegionAvail().x - 5 * gap) / 6;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
-  for (const ToolRow& row : toolTable()) {
-    if ((&row - toolTable().data()) % 5 != 0) ImGui::SameLine();
+  int n = 0;
+  for (const ToolCell& cell : toolCells()) {
+    const ToolRow& row = rowOf(cell.action);
+    if (n++ % 6 != 0) ImGui::SameLine();
     ImGui::PushID(int(row.action));
     if (ImGui::InvisibleButton("tool", {side, side})) {
       atelier.setTool(row.action);
@@ -25,7 +27,7 @@ void tools(Atelier& atelier) {
     drawIcon(list, row.icon, {{(low.x + high.x) / 2, (low.y + high.y) / 2}, px(12.5f)},
              {chosen ? ink(0xFFFFFF) : ink(tint::icon),
               chosen ? ink(tint::onAccent) : ink(tint::accent)});
-    tooltip(std::string(row.title));
+    tooltip(atelier.keymap, cell.command);
     ImGui::PopID();
   }
   ImGui::PopStyleVar();
@@ -39,12 +41,14 @@ void drawPalette(const PanelContext& context) {
   const float width = px(290);
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float left = std::clamp(float(atelier.palettePlace.x) - width / 2, 0.f, size.x - width);
-  const float top = std::clamp(float(atelier.palettePlace.y) - px(34), 0.f, size.y - px(360));
+  const float top = std::clamp(float(atelier.palettePlace.y) - px(34), 0.f, size.y - px(330));
   ImGui::SetNextWindowPos({left, top});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(12));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ink(0x222529, .97f));
-  ImGui::Begin("palette", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize);
+  // Over the panels.
+  constexpr auto kFlags = kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus;
+  ImGui::Begin("palette", nullptr, kFlags | ImGuiWindowFlags_AlwaysAutoResize);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   tools(atelier);

@@ -55,7 +55,7 @@ void stampSection(Atelier& atelier) {
          "From the crest to where the clay is as before, of the tool's radius.");
   slider("Slope", stamp.slope, {0, 6, "", 1, 2}, "How steep the clay stands at the rim.");
   int profile = int(stamp.profile);
-  if (choice("profile", profile, {"By potential", "By radius"},
+  if (choice("Measured", profile, {"by potential", "by radius"},
              "What rise and fall are measured by: the tool's potential, as Ferley has it, or the "
              "distance in parts of its radius.")) {
     stamp.profile = StampProfile(profile);

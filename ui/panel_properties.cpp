@@ -143,7 +143,7 @@ void toolSection(Atelier& atelier) {
 void shapeSection(Atelier& atelier) {
   SculptState& sculpt = atelier.sculpt;
   int shape = int(sculpt.shape);
-  if (choice("shape", shape, {"Ball", "Box", "Tube", "Capsule"}, "The tool's shape.")) {
+  if (choice("##shape", shape, {"Ball", "Box", "Tube", "Capsule"}, "The tool's shape.")) {
     sculpt.drop();
     sculpt.shape = Shape(shape);
   }
@@ -153,7 +153,7 @@ void shapeSection(Atelier& atelier) {
            "Of the size, along the tool's own axis.");
   }
   int alignment = int(sculpt.alignment);
-  if (choice("alignment", alignment, {"World", "Surface", "View"},
+  if (choice("Stands along", alignment, {"World", "Surface", "View"},
              "Along what the tool's height stands.")) {
     sculpt.alignment = Alignment(alignment);
   }

@@ -20,13 +20,8 @@ std::string stepsText(std::size_t steps) {
 
 // False when it is not open.
 bool beginDialog(const char* title, float width) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, 0, {.5f, .5f});
-  ImGui::SetNextWindowSize({std::min(px(width), screen.x - px(40)), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(20), px(18)});
-  ImGui::OpenPopup(title);
-  const bool open =
-      ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+  const bool open = beginModal(title, {px(width), 0});
   ImGui::PopStyleVar();
   return open;
 }
@@ -153,10 +148,8 @@ void leftBehindDialog(const PanelContext& context) {
 }  // namespace
 
 void drawRecovery(const PanelContext& context) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(10));
   if (context.atelier.dialog == Dialog::recovered) recoveredDialog(context);
   if (context.atelier.dialog == Dialog::leftBehind) leftBehindDialog(context);
-  ImGui::PopStyleVar();
 }
 
 }  // namespace bozzetto::ui

@@ -136,7 +136,7 @@ void keepForm(Atelier& atelier) {
   bool done = field("##name", "Name", drawer.name, drawer);
   done |= field("##tags", "Tags", drawer.tags, drawer);
   int part = int(drawer.part);
-  if (choice("part", part, {"All clay", "In the box", "In a lasso"},
+  if (choice("##part", part, {"All clay", "In the box", "In a lasso"},
              "Which clay becomes the tool.")) {
     drawer.part = ShelfDrawer::Part(part);
     if (drawer.part == ShelfDrawer::Part::insideLasso && !atelier.lasso())
@@ -279,7 +279,7 @@ void drawShelf(const PanelContext& context) {
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##find", "Search names and tags", &drawer.query);
   int place = drawer.place ? int(*drawer.place) + 1 : 0;
-  if (choice("place", place, {"All", "Scene", "Yours", "Starters"}, "Whose tools are shown.")) {
+  if (choice("##place", place, {"All", "Scene", "Yours", "Starters"}, "Whose tools are shown.")) {
     drawer.place.reset();
     if (place > 0) drawer.place = Place(place - 1);
   }

@@ -69,7 +69,7 @@ void toolOptions(Atelier& atelier) {
   }
   if (solid.tool == SolidTool::sharp) {
     int what = int(solid.sharpens);
-    if (choice("what", what, {"Point", "Edge", "Face"}, "What is tagged as sharp.")) {
+    if (choice("Tags a", what, {"Point", "Edge", "Face"}, "What is tagged as sharp.")) {
       solid.sharpens = Element(what);
     }
   }
@@ -145,7 +145,7 @@ void showSection(Atelier& atelier) {
   if (toggle("Smooth surface", solid.surface, "The refined solid.")) atelier.tellSolid();
   toggle("Refined edges", solid.wires, "The refined solid's wireframe.");
   int map = int(solid.map);
-  if (choice("map", map, {"Plain", "Stiffness", "Mass", "Strain"}, "What its colours say.")) {
+  if (choice("Colours", map, {"Plain", "Stiffness", "Mass", "Strain"}, "What its colours say.")) {
     solid.map = SolidMap(map);
     atelier.tellSolid();
   }
@@ -180,7 +180,7 @@ void physicsSection(Atelier& atelier) {
   SolidSettings s = atelier.solid.settings.value_or(now);
   const SolidSettings before = s;
   int solver = int(s.solver);
-  if (choice("solver", solver, {"Standard", "Live", "Explicit", "Implicit"},
+  if (choice("Solver", solver, {"Standard", "Live", "Explicit", "Implicit"},
              "Standard and live are ours; explicit and implicit are the paper's.")) {
     s.solver = Solver(solver);
   }
@@ -219,7 +219,7 @@ void numberSection(const Atelier& atelier) {
 }
 
 void toolCell(Atelier& atelier, const SolidToolRow& row, ImVec2 at) {
-  const float side = px(44);
+  const float side = toolPx(44);
   const Command command = Command(int(Command::solidMove) + int(row.tool));
   ImGui::SetCursorScreenPos(at);
   ImGui::PushID(int(row.tool));
@@ -235,7 +235,7 @@ void toolCell(Atelier& atelier, const SolidToolRow& row, ImVec2 at) {
                         px(9));
   }
   drawSolidIcon(
-      list, row.tool, {{at.x + side / 2, at.y + side / 2}, px(12.5f)},
+      list, row.tool, {{at.x + side / 2, at.y + side / 2}, toolPx(12.5f)},
       {chosen ? ink(0xFFFFFF) : ink(tint::icon), chosen ? ink(tint::onAccent) : ink(tint::accent)});
   tooltip(atelier.keymap, command);
   ImGui::PopID();
@@ -251,10 +251,10 @@ void solidTools(Atelier& atelier, float left, float& top) {
       const float x = left - px(8);
       ImGui::GetWindowDrawList()->AddLine({x + px(18), top + px(3)}, {x + px(42), top + px(3)},
                                           ink(0xFFFFFF, .08f));
-      top += px(9);
+      top += toolPx(9);
     }
     toolCell(atelier, row, {left, top});
-    top += px(48);
+    top += toolPx(48);
   }
 }
 

@@ -233,6 +233,8 @@ void comparisonFacts(const Comparison& comparison) {
   factLine("In shape", grouped(found.reshaped));
   factLine("Blocks", grouped(found.blocks), "Of 8 × 8 × 8 corners.");
   factLine("Mass", signedText(found.massAfter - found.massBefore) + " mm³", "From then to now.");
+  factLine("Volume", signedText(comparison.volumeNow - comparison.volumeThen) + " mm³",
+           "Inside the surface, from then to now.");
   if (found.bounds.empty()) return;
   const Key size = found.bounds.high - found.bounds.low;
   factLine("Within", fmt::format("{:.3g} × {:.3g} × {:.3g} mm", size.i * spacing, size.j * spacing,
@@ -272,7 +274,7 @@ void drawHistoryPanel(const PanelContext& context) {
   const float width = px(288), top = float(at.low.y) + px(112);
   const float steps = px(kRowHeight) * float(atelier.status().history->steps.size() + 1);
   const float footer =
-      (atelier.comparison ? px(196) : 0.f) + (atelier.sculpt.recall ? px(38) : 0.f);
+      (atelier.comparison ? px(222) : 0.f) + (atelier.sculpt.recall ? px(38) : 0.f);
   const float room = float(at.high.y) - px(14) - top;
   const float wanted = px(62) + steps + footer;
   ImGui::SetNextWindowPos({float(at.high.x) - width - px(14), top});

@@ -1,4 +1,7 @@
 // The column of tools, with the colours in hand below.
+#include <algorithm>
+#include <cmath>
+
 #include "ui/icons.hpp"
 #include "ui/panels.hpp"
 #include "ui/solid_icons.hpp"
@@ -7,13 +10,25 @@
 namespace bozzetto::ui {
 namespace {
 
-struct Cell {
-  ActionKind action;
-  Command command;
-};
+// What makes all of the column fit into a low window.
+float theShrinking = 1;
 
-void toolCell(Atelier& atelier, const Cell& cell, float left, float top) {
-  const float side = px(44);
+constexpr std::array<ToolCell, 11> kCells{{
+    {ActionKind::add, Command::toolAdd},
+    {ActionKind::remove, Command::toolRemove},
+    {ActionKind::erase, Command::toolErase},
+    {ActionKind::smooth, Command::toolSmooth},
+    {ActionKind::stamp, Command::toolStamp},
+    {ActionKind::push, Command::toolPush, ToolCell::Starts::group},
+    {ActionKind::grip, Command::toolGrip},
+    {ActionKind::swell, Command::toolSwell},
+    {ActionKind::paint, Command::toolPaint, ToolCell::Starts::group},
+    {ActionKind::paintSoft, Command::toolPaintSoft},
+    {ActionKind::hold, Command::toolHold, ToolCell::Starts::group},
+}};
+
+void toolCell(Atelier& atelier, const ToolCell& cell, float left, float top) {
+  const float side = toolPx(44);
   ImGui::SetCursorScreenPos({left, top});
   ImGui::PushID(int(cell.action));
   if (ImGui::InvisibleButton("tool", {side, side})) atelier.setTool(cell.action);
@@ -29,7 +44,7 @@ void toolCell(Atelier& atelier, const Cell& cell, float left, float top) {
     list->AddRectFilled(low, high, ink(tint::hover), px(9));
   }
   drawIcon(
-      list, rowOf(cell.action).icon, {{left + side / 2, top + side / 2}, px(12.5f)},
+      list, rowOf(cell.action).icon, {{left + side / 2, top + side / 2}, toolPx(12.5f)},
       {chosen ? ink(0xFFFFFF) : ink(tint::icon), chosen ? ink(tint::onAccent) : ink(tint::accent)});
   tooltip(atelier.keymap, cell.command);
   ImGui::PopID();
@@ -37,25 +52,25 @@ void toolCell(Atelier& atelier, const Cell& cell, float left, float top) {
 
 // Opens the drawer.
 void shelfCell(Atelier& atelier, float left, float top) {
-  const float side = px(44);
+  const float side = toolPx(44);
   ImGui::SetCursorScreenPos({left, top});
   if (ImGui::InvisibleButton("shelf", {side, side})) atelier.run(Command::shelf);
   const bool lit = ImGui::IsItemHovered() || atelier.shelf.open;
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (lit) list->AddRectFilled({left, top}, {left + side, top + side}, ink(tint::hover), px(9));
-  drawIcon(list, Icon::shelf, {{left + side / 2, top + side / 2}, px(12.5f)},
+  drawIcon(list, Icon::shelf, {{left + side / 2, top + side / 2}, toolPx(12.5f)},
            {ink(tint::icon), ink(tint::accent)});
   tooltip(atelier.keymap, Command::shelf);
 }
 
 void modeCell(Atelier& atelier, float left, float top) {
-  const float side = px(44);
+  const float side = toolPx(44);
   ImGui::SetCursorScreenPos({left, top});
   if (ImGui::InvisibleButton("mode", {side, side})) atelier.run(Command::solidMode);
   const bool lit = ImGui::IsItemHovered() || atelier.mode() == WorkMode::solid;
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (lit) list->AddRectFilled({left, top}, {left + side, top + side}, ink(tint::hover), px(9));
-  drawSolidMode(list, {{left + side / 2, top + side / 2}, px(12.5f)},
+  drawSolidMode(list, {{left + side / 2, top + side / 2}, toolPx(12.5f)},
                 {ink(tint::icon), ink(tint::accent)});
   tooltip(atelier.keymap, Command::solidMode);
 }
@@ -63,7 +78,7 @@ void modeCell(Atelier& atelier, float left, float top) {
 void separator(const Rect& at, float& y) {
   ImGui::GetWindowDrawList()->AddLine({float(at.low.x) + px(18), y + px(3)},
                                       {float(at.high.x) - px(18), y + px(3)}, ink(0xFFFFFF, .08f));
-  y += px(9);
+  y += toolPx(9);
 }
 
 void colourBalls(Atelier& atelier, const Rect& at) {
@@ -78,41 +93,41 @@ void colourBalls(Atelier& atelier, const Rect& at) {
   list->AddCircleFilled({x + px(14), y + px(14)}, px(6), ink(atelier.sculpt.second), 24);
 }
 
+// At scale 1.
+float wantedHeight(WorkMode mode) {
+  constexpr float kEnds = 18, kLines = 4 * 9, kColours = 62;
+  const bool clay = mode == WorkMode::clay;
+  const auto cells = float(clay ? kCells.size() + 2 : kSolidToolCount + 1);
+  return kEnds + kLines + cells * 48 + (clay ? kColours : 0);
+}
+
 }  // namespace
+
+float toolPx(float at1) { return std::floor(px(at1) * theShrinking); }
+
+std::span<const ToolCell> toolCells() { return kCells; }
 
 void drawToolColumn(const PanelContext& context) {
   const Rect& at = context.layout.tools;
+  Atelier& atelier = context.atelier;
   ImGui::SetNextWindowPos({float(at.low.x), float(at.low.y)});
   ImGui::SetNextWindowSize({float(at.width()), float(at.height())});
   ImGui::Begin("tools", nullptr, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
-  static const std::vector<Cell> groups[] = {
-      {{ActionKind::add, Command::toolAdd},
-       {ActionKind::remove, Command::toolRemove},
-       {ActionKind::erase, Command::toolErase},
-       {ActionKind::smooth, Command::toolSmooth},
-       {ActionKind::stamp, Command::toolStamp}},
-      {{ActionKind::push, Command::toolPush},
-       {ActionKind::grip, Command::toolGrip},
-       {ActionKind::swell, Command::toolSwell}},
-      {{ActionKind::paint, Command::toolPaint}, {ActionKind::paintSoft, Command::toolPaintSoft}},
-      {{ActionKind::hold, Command::toolHold}}};
+  theShrinking = std::min(1.f, float(at.height()) / px(wantedHeight(atelier.mode())));
   float y = float(at.low.y) + px(10);
-  const float left = float(at.low.x) + px(8);
-  Atelier& atelier = context.atelier;
+  const float left = std::floor(float(at.centre().x) - toolPx(44) / 2);
   if (atelier.mode() == WorkMode::solid) {
     solidTools(atelier, left, y);
   } else {
-    for (const std::vector<Cell>& group : groups) {
-      if (&group != &groups[0]) separator(at, y);
-      for (const Cell& cell : group) {
-        toolCell(atelier, cell, left, y);
-        y += px(48);
-      }
+    for (const ToolCell& cell : kCells) {
+      if (cell.starts == ToolCell::Starts::group) separator(at, y);
+      toolCell(atelier, cell, left, y);
+      y += toolPx(48);
     }
   }
   separator(at, y);
   modeCell(atelier, left, y);
-  y += px(48);
+  y += toolPx(48);
   if (atelier.mode() == WorkMode::clay) {
     shelfCell(atelier, left, y);
     colourBalls(atelier, at);

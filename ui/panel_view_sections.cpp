@@ -65,7 +65,7 @@ void lookSection(Atelier& atelier, const UiPictures& pictures) {
   ImGui::PopStyleVar();
   if (look.mode == Mode::metal) {
     int metal = int(look.metal);
-    if (choice("metal", metal, {"Chrome", "Bronze"}, "Which metal.")) look.metal = Metal(metal);
+    if (choice("##metal", metal, {"Chrome", "Bronze"}, "Which metal.")) look.metal = Metal(metal);
   }
   if (look.mode == Mode::plastic) {
     slide("Paint", look.paint, {0, 1, "%", 100, 0}, "How much the layer hides the clay.");
@@ -86,8 +86,8 @@ void strokeSection(Atelier& atelier) {
   toggle("Work in the air", sculpt.air,
          "Strokes may start where there is no clay, at the working depth (Ctrl+wheel).");
   int empty = int(sculpt.emptyDrag);
-  if (choice("empty", empty, {"Empty: sculpt", "Empty: orbit"},
-             "What a drag beside the clay does.")) {
+  if (choice("A drag beside the clay", empty, {"sculpts", "orbits"},
+             "What the left button does where there is no clay.")) {
     sculpt.emptyDrag = EmptyDrag(empty);
   }
   toggle("Pressure drives strength", sculpt.pressureStrength, "With a pen.");
@@ -108,7 +108,7 @@ void symmetrySection(Atelier& atelier) {
     symmetry.radialCount = int(std::lround(count));
   }
   int axis = index(symmetry.radialAxis);
-  if (choice("axis", axis, {"X", "Y", "Z"}, "The axis to go around.")) {
+  if (choice("Around the axis", axis, {"X", "Y", "Z"}, "The axis to go around.")) {
     symmetry.radialAxis = kAxes[std::size_t(axis)];
   }
   const float half = (ImGui::GetContentRegionAvail().x - px(8)) / 2;
@@ -159,7 +159,7 @@ void oneLight(Studio& studio, std::size_t n) {
                      float(std::cos(around) * std::cos(height))};
   }
   int frame = int(light.frame);
-  if (choice("frame", frame, {"With the view", "With the clay"}, "What the light is fixed to.")) {
+  if (choice("Goes with", frame, {"the view", "the clay"}, "What the light is fixed to.")) {
     light.frame = LightFrame(frame);
   }
   ImGui::Dummy({1, px(4)});
@@ -172,7 +172,7 @@ void lightSection(Atelier& atelier) {
   Look& look = atelier.options.look;
   Studio& studio = look.studio;
   int environment = int(studio.environment);
-  if (choice("environment", environment, {"Studio", "Day", "Dusk", "Shop", "Zebra"},
+  if (choice("Surroundings", environment, {"Studio", "Day", "Dusk", "Workshop", "Zebra"},
              "What mirrors in the clay.")) {
     const float turn = studio.turn;
     studio = Studio(Environment(environment));
@@ -196,7 +196,8 @@ void lightSection(Atelier& atelier) {
 void viewSection(Atelier& atelier) {
   ViewOptions& options = atelier.options;
   int tool = int(options.tool);
-  if (choice("tool", tool, {"Hidden", "Solid", "Clear", "Wires"}, "How the tool is shown (T).")) {
+  if (choice("The tool", tool, {"Hidden", "Solid", "Clear", "Wires"},
+             "How the tool is shown (T).")) {
     options.tool = ToolDisplay(tool);
   }
   toggle("Ring", options.ring, "The cursor on the surface.");
@@ -219,11 +220,19 @@ void viewSection(Atelier& atelier) {
     atelier.view.fieldOfView = angle;
   }
   int orbit = int(atelier.settings.orbit);
-  if (choice("orbit", orbit, {"Turntable", "Trackball"}, "How dragging turns the view.")) {
+  if (choice("Orbit like a", orbit, {"Turntable", "Trackball"}, "How dragging turns the view.")) {
     atelier.settings.orbit = OrbitStyle(orbit);
   }
   int stereo = int(options.stereo.mode);
-  if (choice("stereo", stereo, {"One eye", "Side", "Rows", "Red-cyan"}, "Two eyes.")) {
+  if (choice(
+          "Stereo", stereo,
+          {"Off",
+           "Side by side",
+           "Rows",
+           "Red-cyan",
+           {"Quad buffer",
+            atelier.quadBuffer ? "" : "This graphics driver has no left and right back buffers."}},
+          "A picture for each eye.")) {
     options.stereo.mode = StereoMode(stereo);
   }
   if (options.stereo.mode != StereoMode::off) {
@@ -233,12 +242,12 @@ void viewSection(Atelier& atelier) {
            "What lies there is on the screen; 1 is the view's target.");
   }
   int structure = int(options.structure);
-  if (choice("structure", structure, {"Surface", "Cubes", "Crossing"},
+  if (choice("Data structure", structure, {"Surface", "All cubes", "Crossing"},
              "The data structure: all cubes with clay, cubes the surface crosses.")) {
     atelier.showStructure(Structure(structure));
   }
   int quality = options.quality ? int(*options.quality) + 1 : 0;
-  if (choice("quality", quality, {"Auto", "0", "1", "2", "3", "4"}, "How much frames may cost.")) {
+  if (choice("Quality", quality, {"Auto", "0", "1", "2", "3", "4"}, "How much frames may cost.")) {
     options.quality.reset();
     if (quality > 0) options.quality = Quality(quality - 1);
   }

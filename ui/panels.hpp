@@ -57,6 +57,18 @@ struct PanelContext {
 /// Null where there is none yet.
 ImTextureID pictureOf(const PanelContext& context, StepNumber step);
 
+/// A tool of the column.
+struct ToolCell {
+  enum class Starts { nothing, group };
+  ActionKind action;
+  Command command;
+  Starts starts = Starts::nothing;
+};
+/// In the column's order.
+std::span<const ToolCell> toolCells();
+/// Pixels of the column, less than px() where the window is low.
+float toolPx(float at1);
+
 void drawTopBar(const PanelContext& context);
 void drawToolColumn(const PanelContext& context);
 void drawShelf(const PanelContext& context);

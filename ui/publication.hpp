@@ -103,6 +103,7 @@ struct Comparison {
   StepNumber step = 0;
   FieldDifference found;  ///< from that state to now
   FieldScale then, now;
+  double volumeThen = 0, volumeNow = 0;  ///< world units
 };
 
 enum class WrapShown { asClayIs, asPosed };

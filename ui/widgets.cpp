@@ -144,33 +144,60 @@ bool section(const char* title, bool openAtFirst) {
   return open;
 }
 
-bool choice(const char* id, int& chosen, std::initializer_list<const char*> names,
-            const char* tip) {
-  ImGui::PushID(id);
+namespace {
+
+int perRow(std::initializer_list<Choice> names, float width) {
+  float widest = 0;
+  for (const Choice& each : names) widest = std::max(widest, textWidth(fonts().medium, each.name));
+  const int count = int(names.size());
+  const int fit = std::clamp(int(width / (widest + px(8))), 1, count);
+  const int rows = (count + fit - 1) / fit;
+  return (count + rows - 1) / rows;
+}
+
+// True when it was chosen.
+bool choiceCell(const Choice& choice, bool on, ImVec2 size, const char* tip) {
+  const bool possible = *choice.whyNot == 0;
+  const bool clicked = ImGui::InvisibleButton("cell", size) && possible;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const bool hovered = possible && ImGui::IsItemHovered();
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = row(), cell = width / float(names.size()), height = px(26);
-  list->AddRectFilled(at, {at.x + width, at.y + height}, ink(tint::well), px(6));
-  const int before = chosen;
-  int n = 0;
-  for (const char* name : names) {
-    if (n > 0) ImGui::SameLine(0, 0);
-    ImGui::PushID(n);
-    if (ImGui::InvisibleButton("cell", {cell, height})) chosen = n;
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    const bool on = chosen == n, hovered = ImGui::IsItemHovered();
-    if (on || hovered) {
-      list->AddRectFilled({low.x + px(2), low.y + px(2)}, {high.x - px(2), high.y - px(2)},
-                          on ? ink(0x3A3E45) : ink(tint::raised), px(5));
-    }
-    const float w = textWidth(fonts().medium, name);
-    drawText(list, fonts().medium,
-             {(low.x + high.x - w) / 2, (low.y + high.y - fonts().medium->FontSize) / 2},
-             ink(on ? tint::strong : tint::dim), name);
-    tooltip(tip);
-    ImGui::PopID();
-    ++n;
+  if (on || hovered) {
+    list->AddRectFilled({low.x + px(2), low.y + px(2)}, {high.x - px(2), high.y - px(2)},
+                        on ? ink(0x3A3E45) : ink(tint::raised), px(5));
   }
+  const float width = textWidth(fonts().medium, choice.name);
+  drawText(list, fonts().medium,
+           {(low.x + high.x - width) / 2, (low.y + high.y - fonts().medium->FontSize) / 2},
+           possible ? ink(on ? tint::strong : tint::dim) : ink(tint::faint, .6f), choice.name);
+  tooltip(possible ? tip : choice.whyNot);
+  return clicked;
+}
+
+}  // namespace
+
+bool choice(const char* label, int& chosen, std::initializer_list<Choice> names, const char* tip) {
+  ImGui::PushID(label);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float width = row(), height = px(26);
+  if (label[0] != '#') {
+    drawText(list, fonts().regular, ImGui::GetCursorScreenPos(), ink(tint::text, .92f), label);
+    ImGui::Dummy({width, px(14)});
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const int count = int(names.size()), across = perRow(names, width);
+  const float rows = float((count + across - 1) / across);
+  list->AddRectFilled(at, {at.x + width, at.y + height * rows}, ink(tint::well), px(6));
+  const int before = chosen;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  for (int n = 0; n < count; ++n) {
+    if (n % across != 0) ImGui::SameLine(0, 0);
+    ImGui::PushID(n);
+    if (choiceCell(names.begin()[n], before == n, {width / float(across), height}, tip)) chosen = n;
+    ImGui::PopID();
+  }
+  ImGui::PopStyleVar();
+  ImGui::Dummy({width, 0});
   ImGui::PopID();
   return chosen != before;
 }
@@ -187,6 +214,40 @@ bool button(const char* label, ImVec2 size, ButtonKind kind, const char* tip) {
   if (accent) ImGui::PopStyleColor(4);
   tooltip(tip);
   return clicked;
+}
+
+namespace {
+
+bool crossButton(ImVec2 middle) {
+  const float r = px(12), d = px(5);
+  ImGui::SetCursorScreenPos({middle.x - r, middle.y - r});
+  const bool clicked = ImGui::InvisibleButton("close", {2 * r, 2 * r});
+  const ImU32 colour = ink(ImGui::IsItemHovered() ? tint::text : tint::faint);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddLine({middle.x - d, middle.y - d}, {middle.x + d, middle.y + d}, colour, px(1.5f));
+  list->AddLine({middle.x - d, middle.y + d}, {middle.x + d, middle.y - d}, colour, px(1.5f));
+  return clicked;
+}
+
+}  // namespace
+
+bool beginModal(const char* title, ImVec2 size, bool* open) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, 0, {.5f, .5f});
+  ImGui::SetNextWindowSize(
+      {std::min(size.x, screen.x - px(40)), std::min(size.y, screen.y - px(40))});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(10));
+  ImGui::OpenPopup(title);
+  const bool there = ImGui::BeginPopupModal(title, nullptr, kFixed);
+  ImGui::PopStyleVar();
+  if (!there) return false;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = row();
+  drawText(ImGui::GetWindowDrawList(), fonts().semiBold, at, ink(tint::strong), title);
+  if (open != nullptr && crossButton({at.x + width - px(6), at.y + px(9)})) *open = false;
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy({width, px(22)});
+  return true;
 }
 
 bool swatch(const char* id, Colour colour, float side, bool chosen) {

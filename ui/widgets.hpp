@@ -28,8 +28,15 @@ bool toggle(const char* label, bool& on, const char* tip);
 /// A title that opens and closes what follows. True when open.
 bool section(const char* title, bool openAtFirst = true);
 
-/// Names in a row, one of them chosen. True when another was chosen.
-bool choice(const char* id, int& chosen, std::initializer_list<const char*> names, const char* tip);
+/// One of a choice's names; where `whyNot` says something, it cannot be chosen.
+struct Choice {
+  const char* name;
+  const char* whyNot = "";
+  Choice(const char* text, const char* reason = "") : name(text), whyNot(reason) {}
+};
+/// A label and names under it, in as few rows as hold them, one of them chosen. A label that
+/// begins with ## is not shown. True when another was chosen.
+bool choice(const char* label, int& chosen, std::initializer_list<Choice> names, const char* tip);
 
 /// A button across the panel's width. `accent` for the one that matters.
 enum class ButtonKind { plain, accent };
@@ -50,6 +57,10 @@ void tooltip(const Keymap& keymap, Command command);
 std::string grouped(long long number);
 /// "31 MB".
 std::string byteText(double bytes);
+
+/// A dialog in the middle of the window, over everything; a height of 0 fits what is in it. Where
+/// `open` is given it has a cross that clears it. False when it is not there; else EndPopup.
+bool beginModal(const char* title, ImVec2 size, bool* open = nullptr);
 
 /// Windows that stand where they are put.
 inline constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |

@@ -48,29 +48,52 @@ double massOf(const Field<Side>& field) {
 
 }  // namespace
 
-template <int Side>
-FieldDifference compare(const Field<Side>& before, const Field<Side>& after) {
+namespace {
+
+// Where the two do not share their block; null stands for empty space.
+template <int Side, class Visit>
+void forDiffering(const Field<Side>& before, const Field<Side>& after, Visit visit) {
   using Block = CornerBlock<Side>;
-  Counter<Side> counter;
   // All that was, against what is there now.
   for (const auto& [key, run] : before.tree) {
     const Ref<Block>& old = run.block;
     forPieces(after.tree, {key, run.length}, [&](KeyRun piece, const Ref<Block>& now) {
-      if (!(old == now)) counter.look(piece, old.get(), now.get());
+      if (!(old == now)) visit(piece, old.get(), now.get());
     });
   }
   // What is there now where nothing was.
   for (const auto& [key, run] : after.tree) {
     const Ref<Block>& now = run.block;
     forPieces(before.tree, {key, run.length}, [&](KeyRun piece, const Ref<Block>& old) {
-      if (!old) counter.look(piece, nullptr, now.get());
+      if (!old) visit(piece, static_cast<const Block*>(nullptr), now.get());
     });
   }
+}
+
+}  // namespace
+
+template <int Side>
+FieldDifference compare(const Field<Side>& before, const Field<Side>& after) {
+  Counter<Side> counter;
+  forDiffering(before, after, [&](KeyRun piece, const auto* old, const auto* now) {
+    counter.look(piece, old, now);
+  });
   counter.found.massBefore = massOf(before);
   counter.found.massAfter = massOf(after);
   return counter.found;
 }
 
+template <int Side>
+std::vector<KeyRun> differingBlocks(const Field<Side>& before, const Field<Side>& after) {
+  std::vector<KeyRun> runs;
+  forDiffering(before, after,
+               [&](KeyRun piece, const auto*, const auto*) { runs.push_back(piece); });
+  std::ranges::sort(runs, {}, &KeyRun::key);
+  return runs;
+}
+
+template std::vector<KeyRun> differingBlocks(const Field<1>&, const Field<1>&);
+template std::vector<KeyRun> differingBlocks(const Field<8>&, const Field<8>&);
 template FieldDifference compare(const Field<1>&, const Field<1>&);
 template FieldDifference compare(const Field<8>&, const Field<8>&);
 

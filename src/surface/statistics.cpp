@@ -1,6 +1,8 @@
 #include "bozzetto/surface/statistics.hpp"
 
 #include <bit>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <numeric>
 
 #include "surface/columns.hpp"
@@ -122,6 +124,31 @@ SurfaceStatistics statistics(const Surface<Side>& surface, const Field<Side>& fi
   return {cubeCount(field), totals.crossingCubes, totals.edges, totals.triangles,
           componentCount(surface)};
 }
+
+template <int Side>
+SurfaceMeasure measure(const Surface<Side>& surface) {
+  SurfaceMeasure sum;
+  const auto& patches = surface.patches();
+  if (patches.begin() == patches.end()) return sum;
+  const Key anchor = BlockGeometry<Side>::firstCornerOf((*patches.begin()).first);
+  for (const auto& [key, run] : patches) {
+    const PatchContent content = run.block->content();
+    const Key corner = BlockGeometry<Side>::firstCornerOf(key) - anchor;
+    const auto place = [&](std::size_t n) {
+      const auto& p = content.vertices[content.indices[n]].position;
+      return glm::dvec3(corner.i, corner.j, corner.k) + glm::dvec3(p[0], p[1], p[2]);
+    };
+    for (std::size_t n = 0; n + 2 < content.indices.size(); n += 3) {
+      const glm::dvec3 a = place(n), across = glm::cross(place(n + 1) - a, place(n + 2) - a);
+      sum.volume += glm::dot(a, across) / 6;
+      sum.area += glm::length(across) / 2;
+    }
+  }
+  return sum;
+}
+
+template SurfaceMeasure measure(const Surface<1>&);
+template SurfaceMeasure measure(const Surface<8>&);
 
 template SurfaceStatistics statistics(const Surface<1>&, const Field<1>&);
 template SurfaceStatistics statistics(const Surface<8>&, const Field<8>&);

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "field/test_fields.hpp"
 
 namespace bozzetto {
@@ -40,6 +43,27 @@ TYPED_TEST(Difference, countsEveryCornerOnce) {
       }
   EXPECT_EQ(compare(before, after).corners, corners);
   EXPECT_EQ(compare(after, before).corners, corners);
+}
+
+TYPED_TEST(Difference, theBlocksThatDifferHoldAllCornersThatDo) {
+  constexpr int kSide = TestFixture::kSide;
+  const auto before = ball<kSide>(20), after = ball<kSide>(17, {6, -3, 2});
+  const std::vector<KeyRun> runs = differingBlocks(before, after);
+  std::int64_t blocks = 0;
+  std::set<Key> keys;
+  for (const KeyRun& run : runs) {
+    blocks += run.length;
+    for (int n = 0; n < run.length; ++n) keys.insert(run.key + Key{0, 0, n});
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(runs, {}, &KeyRun::key));
+  EXPECT_EQ(std::int64_t(keys.size()), blocks) << "none twice";
+  EXPECT_EQ(blocks, compare(before, after).blocks);
+  for (std::int32_t i = -30; i <= 30; ++i)
+    for (std::int32_t j = -30; j <= 30; ++j) {
+      const Key corner{i, j, (i + j) % 20};
+      if (before.value(corner) == after.value(corner)) continue;
+      EXPECT_TRUE(keys.contains(BlockGeometry<kSide>::blockOf(corner))) << i << " " << j;
+    }
 }
 
 TYPED_TEST(Difference, knowsShapeFromColourAndWhere) {

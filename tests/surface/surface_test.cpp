@@ -146,6 +146,16 @@ TEST(Surface, torusHasOneHandle) {
   EXPECT_EQ(report.components, 1u);
 }
 
+TEST(Surface, measuresWhatTheWeldedMeshMeasures) {
+  auto field = ball<8>(6.2f);
+  testing::fill<8>(field, {{40, 0, 0}, {47, 7, 7}}, [](Key) { return 1.0f; });
+  const auto surface = surfaceOf(field);
+  const auto report = checkMesh(weld(surface, field.scale));
+  EXPECT_NEAR(measure(surface).volume, report.volume, 1e-4 * report.volume);
+  EXPECT_NEAR(measure(surface).area, report.area, 1e-4 * report.area);
+  EXPECT_EQ(measure(Surface<8>()).volume, 0);
+}
+
 TEST(Surface, statisticsCountWhatIsThere) {
   auto field = ball<8>(6.2f);
   testing::fill<8>(field, {{40, 0, 0}, {47, 7, 7}}, [](Key) { return 1.0f; });

@@ -2,8 +2,11 @@
 // window, a second one is told, panels lead anywhere.
 #include <gtest/gtest.h>
 
+#include <map>
+#include <numbers>
 #include <thread>
 
+#include "bozzetto/base/file.hpp"
 #include "support/faulty_file_system.hpp"
 #include "ui/null_window.hpp"
 
@@ -208,14 +211,73 @@ TEST_F(InFolder, stepsAreComparedAndLookedAt) {
   EXPECT_GT(window.atelier_.comparison->found.reshaped, 100);
   EXPECT_GT(window.atelier_.comparison->found.massAfter,
             window.atelier_.comparison->found.massBefore);
-  window.atelier_.worker().post([](ClayDesk& desk) { desk.peek(1); });
-  window.atelier_.worker().waitUntilSettled();
-  window.atelier_.poll();
-  EXPECT_EQ(window.atelier_.status().peek, 1u);
-  EXPECT_EQ(window.atelier_.status().history->place, 2u) << "only looked at";
-  window.atelier_.worker().post([](ClayDesk& desk) { desk.peek(std::nullopt); });
+  const Comparison& found = *window.atelier_.comparison;
+  EXPECT_NEAR(found.volumeThen, 4. / 3 * std::numbers::pi * 48 * 48 * 48, 300);
+  EXPECT_NEAR(found.volumeNow - found.volumeThen, found.found.massAfter - found.found.massBefore,
+              0.3 * (found.volumeNow - found.volumeThen));
   EXPECT_EQ(hashOf(window), now);
+}
+
+// The clay, its history and its journal know nothing of it.
+TEST_F(InFolder, aStepThatIsLookedAtIsOnlySeen) {
+  NullWindow window(scene_);
+  const std::size_t ball = window.atelier_.patches().triangles();
+  window.drag(window.middle(), window.middle() + glm::dvec2(60, 20));
+  const std::uint64_t now = hashOf(window);
+  const std::size_t triangles = window.atelier_.patches().triangles();
+  ASSERT_NE(triangles, ball);
+  const auto look = [&](std::optional<StepNumber> step) {
+    window.atelier_.worker().post([step](ClayDesk& desk) { desk.peek(step); });
+    window.settle();
+  };
+  const auto journal = [&] {
+    std::map<fs::path, std::uintmax_t> sizes;
+    for (const auto& entry : fs::recursive_directory_iterator(historyFolderOf(scene_)))
+      if (entry.is_regular_file()) sizes[entry.path()] = entry.file_size();
+    return sizes;
+  };
+  const auto before = journal();
+  look(1);
+  EXPECT_EQ(window.atelier_.status().peek, 1u);
+  EXPECT_EQ(window.atelier_.patches().triangles(), ball);
+  EXPECT_EQ(window.atelier_.status().history->place, 2u);
+  EXPECT_EQ(hashOf(window), now);
+  EXPECT_EQ(journal(), before);
+  look(std::nullopt);
+  EXPECT_EQ(window.atelier_.patches().triangles(), triangles);
   EXPECT_EQ(window.atelier_.status().peek, std::nullopt);
+  look(1);
+  window.drag(window.middle(), window.middle() + glm::dvec2(-60, 20));
+  EXPECT_EQ(window.atelier_.status().peek, std::nullopt) << "whoever works sees the clay";
+  EXPECT_NE(hashOf(window), now);
+}
+
+TEST_F(InFolder, whatCannotBeOpenedLeavesWhatIsThere) {
+  NullWindow window(scene_);
+  window.drag(window.middle(), window.middle() + glm::dvec2(60, 20));
+  const std::uint64_t now = hashOf(window);
+  const fs::path damaged = folder_ / "damaged.bzt", mesh = folder_ / "damaged.ply";
+  for (const fs::path& path : {damaged, mesh}) writeFile(path, Bytes(3000, std::byte{7}));
+  const auto expectSame = [&] {
+    ASSERT_FALSE(window.atelier_.messages().empty());
+    EXPECT_EQ(window.atelier_.messages().back().kind, Message::Kind::error);
+    EXPECT_EQ(hashOf(window), now);
+    EXPECT_EQ(window.atelier_.path(), scene_);
+    EXPECT_EQ(window.atelier_.status().done, 2u);
+  };
+  window.atelier_.openScene(damaged);
+  window.settle();
+  expectSame();
+  window.atelier_.importMesh(mesh, 32);
+  window.settle();
+  expectSame();
+  // Nor does it go when nobody wants it saved.
+  window.atelier_.ifSaved([&] { window.atelier_.openScene(damaged); });
+  EXPECT_EQ(window.atelier_.dialog, Dialog::unsaved);
+  window.atelier_.answerUnsaved(false);
+  window.settle();
+  expectSame();
+  EXPECT_TRUE(window.atelier_.isModified());
 }
 
 TEST_F(InFolder, strokesBringThePastBack) {

@@ -1,6 +1,7 @@
 // What distinguishes two states of a sculpture: for people who compare steps of its history.
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "bozzetto/field/field.hpp"
 
@@ -19,6 +20,12 @@ struct FieldDifference {
 template <int Side>
 FieldDifference compare(const Field<Side>& before, const Field<Side>& after);
 
+/// The places that `compare` counts, ascending: what turns one surface into the other.
+template <int Side>
+std::vector<KeyRun> differingBlocks(const Field<Side>& before, const Field<Side>& after);
+
+extern template std::vector<KeyRun> differingBlocks(const Field<1>&, const Field<1>&);
+extern template std::vector<KeyRun> differingBlocks(const Field<8>&, const Field<8>&);
 extern template FieldDifference compare(const Field<1>&, const Field<1>&);
 extern template FieldDifference compare(const Field<8>&, const Field<8>&);
 

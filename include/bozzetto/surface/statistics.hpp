@@ -16,4 +16,12 @@ struct SurfaceStatistics {
 template <int Side>
 SurfaceStatistics statistics(const Surface<Side>& surface, const Field<Side>& field);
 
+/// In cells; the volume is positive.
+struct SurfaceMeasure {
+  double volume = 0, area = 0;
+};
+/// What the surface encloses and how large it is. O(triangles).
+template <int Side>
+SurfaceMeasure measure(const Surface<Side>& surface);
+
 }  // namespace bozzetto
