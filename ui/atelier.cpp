@@ -23,6 +23,7 @@ Atelier::Atelier(const Options& given) : configFolder_(given.configFolder), work
   sculpt.curve = {settings.pressureGamma, settings.pressureLeast};
   view.turnTo(0.42, 0.10);
   options.look.dither = 1;
+  worker_.post([radius = given.newRadius](ClayDesk& desk) { desk.newRadius = radius; });
   if (given.scene.empty()) {
     startNew(NewClay::ball);
     worker_.post([](ClayDesk& desk) { desk.findLeftBehind(); });

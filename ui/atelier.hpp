@@ -95,6 +95,7 @@ class Atelier {
     std::filesystem::path scene;         ///< empty: a new ball
     std::filesystem::path configFolder;  ///< empty: nothing is kept
     std::function<void()> wake = [] {};  ///< from any thread: there is something to show
+    double newRadius = 48;               ///< of a new ball, cells
   };
   explicit Atelier(const Options& options);
   ~Atelier();

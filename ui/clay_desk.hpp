@@ -29,6 +29,8 @@ class ClayDesk {
   ClayDesk(const ClayDesk&) = delete;
   ClayDesk& operator=(const ClayDesk&) = delete;
 
+  double newRadius = 48;  ///< of a new ball, world units = cells of a new scene
+
   // Documents. Each throws Error and leaves something sound on the desk.
   /// Without a name it lives in the user's state folder until it gets one.
   void startNew(NewClay kind, const std::filesystem::path& path = {});

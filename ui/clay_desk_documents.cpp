@@ -13,11 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kNewRadius = 48;  // world units = cells of a new scene
-
-FillOperation firstShape(NewClay kind) {
+FillOperation firstShape(NewClay kind, double radius) {
   Primitive primitive;
-  primitive.radii = glm::dvec3(kNewRadius);
+  primitive.radii = glm::dvec3(radius);
   if (kind == NewClay::block) {
     primitive.shape = Shape::box;
     primitive.radii *= 0.8;
@@ -105,7 +103,7 @@ Session ClayDesk::begin(const fs::path& path) {
 void ClayDesk::startNew(NewClay kind, const fs::path& path) {
   putAway();
   lay(begin(path));
-  if (kind != NewClay::empty) apply(firstShape(kind));
+  if (kind != NewClay::empty) apply(firstShape(kind, newRadius));
   begun_ = history().place();
   tellStatus();
 }

@@ -238,7 +238,8 @@ bool beginModal(const char* title, ImVec2 size, bool* open) {
       {std::min(size.x, screen.x - px(40)), std::min(size.y, screen.y - px(40))});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(10));
   ImGui::OpenPopup(title);
-  const bool there = ImGui::BeginPopupModal(title, nullptr, kFixed);
+  const bool there =
+      ImGui::BeginPopupModal(title, nullptr, kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PopStyleVar();
   if (!there) return false;
   const ImVec2 at = ImGui::GetCursorScreenPos();

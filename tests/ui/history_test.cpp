@@ -2,6 +2,7 @@
 // window, a second one is told, panels lead anywhere.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <thread>
@@ -212,7 +213,7 @@ TEST_F(InFolder, stepsAreComparedAndLookedAt) {
   EXPECT_GT(window.atelier_.comparison->found.massAfter,
             window.atelier_.comparison->found.massBefore);
   const Comparison& found = *window.atelier_.comparison;
-  EXPECT_NEAR(found.volumeThen, 4. / 3 * std::numbers::pi * 48 * 48 * 48, 300);
+  EXPECT_NEAR(found.volumeThen, 4. / 3 * std::numbers::pi * std::pow(NullWindow::kRadius, 3), 100);
   EXPECT_NEAR(found.volumeNow - found.volumeThen, found.found.massAfter - found.found.massBefore,
               0.3 * (found.volumeNow - found.volumeThen));
   EXPECT_EQ(hashOf(window), now);

@@ -41,8 +41,11 @@ class Screen {
 
 class Offscreen : public ::testing::Test, protected StateFolder {
  protected:
-  Offscreen() : atelier_(Atelier::Options{}), interface_(atelier_), canvas_(interface_, atelier_) {
-    resize({1280, 800});
+  explicit Offscreen(double radius = 48, glm::dvec2 size = {1280, 800})
+      : atelier_(Atelier::Options{{}, {}, [] {}, radius}),
+        interface_(atelier_),
+        canvas_(interface_, atelier_) {
+    resize(size);
     settle();
   }
 
