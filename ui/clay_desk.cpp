@@ -256,7 +256,7 @@ bool ClayDesk::settle() {
     case Rest::nothing:
       break;
   }
-  if (!ownPlace_) session_->keepParts();
+  session_->keepParts();
   return false;
 }
 

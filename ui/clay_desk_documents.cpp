@@ -234,7 +234,7 @@ Keeping ClayDesk::keeping() const {
 
 void ClayDesk::lookAfter() {
   if (saving_ && saving_->job.finished()) return endSaving();
-  if (!session_->trouble().empty() && !ownPlace_) session_->keepParts();
+  if (!session_->trouble().empty()) session_->keepParts();
   if (!(keeping() == status_.keeping)) tellStatus();
 }
 
