@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "bozzetto/sculptor/clay_settings.hpp"
+
 namespace bozzetto::ui {
 namespace {
 
@@ -115,6 +117,7 @@ void Atelier::opened(OpenedDocument document) {
   comparison.reset();
   peeking_ = false;
   sculpt.recall.reset();
+  sculpt.clay = settingsOf(parts, "scene");
   savedAt_ = -1;
   if (document_.surprising) dialog = Dialog::recovered;
   if (document_.findings.readOnly) {

@@ -279,6 +279,7 @@ class Atelier {
   void beginStroke(double pressure);
   void continueStroke(double pressure);
   void flushStroke();
+  void tellEye();
   void endStroke();
   void cancelStroke();
   void beginHeldStroke();
@@ -384,6 +385,7 @@ class Atelier {
   std::optional<glm::dvec3> airPoint_;
   std::optional<HeldTool> heldTool_;
   std::optional<StrokeMaker> maker_;
+  std::optional<Camera> toldEye_;  // to the worker
   WorkMode mode_ = WorkMode::clay;
   std::shared_ptr<const SolidShown> solidShown_;
   SolidHit solidHit_;

@@ -26,6 +26,7 @@ void Atelier::beginStroke(double pressure) {
     gesture_ = Gesture::none;
     return;
   }
+  tellEye();
   worker_.post([hand = handAt(maker_->start()), stroke = sculpt.strokeFrom(*first)](
                    ClayDesk& desk) { desk.beginStroke(hand, stroke); });
 }
@@ -33,6 +34,7 @@ void Atelier::beginStroke(double pressure) {
 void Atelier::beginHeldStroke() {
   if (!heldTool_) heldTool_ = HeldTool{hover_.point(), sculpt.rotation};
   heldStroke_ = true;
+  tellEye();
   worker_.post([hand = handAt(heldGround()), stroke = sculpt.strokeFrom({heldTool_->position, 1})](
                    ClayDesk& desk) { desk.beginStroke(hand, stroke); });
 }
@@ -47,8 +49,17 @@ void Atelier::continueStroke(double pressure) {
   flushStroke();
 }
 
+// What moves in a stroke is shown as it is seen from here.
+void Atelier::tellEye() {
+  const Camera eye = viewFrame().camera;
+  if (toldEye_ == eye) return;
+  toldEye_ = eye;
+  worker_.post([eye](ClayDesk& desk) { desk.seenFrom(eye); });
+}
+
 void Atelier::flushStroke() {
   if (points_.empty()) return;
+  tellEye();
   worker_.post(
       [points = std::exchange(points_, {})](ClayDesk& desk) { desk.extendStroke(points); });
 }

@@ -302,8 +302,9 @@ std::size_t Canvas::Impl::upload() {
     solid = nullptr;
   }
   std::size_t bytes = 0, patches = 0;
-  const auto some = [&](std::map<Key, PatchRef>& from, Fineness fineness) {
-    while (!from.empty() && bytes < kUploadBytesAFrame) {
+  const auto some = [&](std::map<Key, PatchRef>& from, Fineness fineness,
+                        std::size_t most = kUploadBytesAFrame) {
+    while (!from.empty() && bytes < most) {
       const auto first = from.begin();
       if (first->second) {
         renderer.uploadPatch(first->second->data.view());
@@ -315,8 +316,14 @@ std::size_t Canvas::Impl::upload() {
       from.erase(first);
     }
   };
+  // Cloths come and go in one frame.
+  const bool draped = !waiting.heights.empty();
+  if (draped && std::exchange(waiting.undraped, false)) renderer.clear(Fineness::heights);
+  some(waiting.heights, Fineness::heights, SIZE_MAX);
   some(waiting.fine, Fineness::fine);
   some(waiting.coarse, Fineness::coarse);
+  const bool whole = waiting.fine.empty() && waiting.coarse.empty();
+  if (whole && std::exchange(waiting.undraped, false)) renderer.clear(Fineness::heights);
   if (waiting.floor) renderer.setFloorOcclusion(*waiting.floor);
   waiting.floor.reset();
   return patches;
@@ -339,7 +346,8 @@ Canvas::~Canvas() {
 }
 
 bool Canvas::hasUploads() const {
-  return !impl_->waiting.fine.empty() || !impl_->waiting.coarse.empty();
+  const Publication& waiting = impl_->waiting;
+  return !waiting.fine.empty() || !waiting.coarse.empty() || !waiting.heights.empty();
 }
 
 bool Canvas::draw(Publication fresh, glm::dvec2 size) {

@@ -96,6 +96,7 @@ void ClayDesk::endStroke() {
   status_.last = stroke_->finish();
   recording_.operations.push_back(StrokeOperation{stroke_->stroke()});
   stroke_.reset();
+  undrape();
   status_.inStroke = false;
   ++status_.version;
   if (movesClay(sculptor().action().kind)) account();
@@ -184,6 +185,7 @@ void ClayDesk::put(std::vector<UnpackedPatch> patches) {
 void ClayDesk::showAll() {
   bench().takeChanges();
   out_.cleared = true;
+  out_.undraped |= std::exchange(draped_, false);
   for (auto* patches : {&out_.fine, &out_.coarse, &fine_, &coarse_}) patches->clear();
   if (structure_ == Structure::surface) {
     put(dresser_->rebuild(sculptor().field(), sculptor().surface()));
@@ -199,13 +201,11 @@ void ClayDesk::showAll() {
 void ClayDesk::show() {
   const SurfaceChanges changes = bench().takeChanges();
   if (changes.all || structure_ != Structure::surface) return showAll();
-  std::vector<UnpackedPatch> patches =
-      dresser_->refresh(sculptor().field(), sculptor().surface(), changes.blocks, changes.patches);
-  for (const UnpackedPatch& patch : patches) status_.lastEdit.add(patch.bounds());
-  bounds_.add(status_.lastEdit);
-  put(std::move(patches));
-  rest_ = Rest::light;
-  tellStatus();
+  if (draped_) {
+    showCloths(changes);
+  } else {
+    showMesh(changes);
+  }
 }
 
 void ClayDesk::tellStatus() {

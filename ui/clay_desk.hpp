@@ -52,6 +52,9 @@ class ClayDesk {
   void findLeftBehind();
   void discardLeftBehind(const std::filesystem::path& path);
 
+  /// From where the clay is looked at: while much of it moves only what is seen is shown.
+  void seenFrom(const Camera& camera);
+
   // Operations.
   void apply(const Operation& operation, Progress& progress = Progress::none());
   void beginStroke(const HandOperations& hand, Stroke stroke);
@@ -138,6 +141,11 @@ class ClayDesk {
   StepNumber newestStep() const;
   void show();
   void showAll();
+  void showMesh(const SurfaceChanges& changes);
+  void showCloths(const SurfaceChanges& changes);
+  void putCloths(std::vector<UnpackedPatch> patches);
+  void drape();
+  void undrape();
   void put(std::vector<UnpackedPatch> patches);
   void hold(const HandOperations& hand);
   void account();
@@ -177,6 +185,9 @@ class ClayDesk {
   Publication out_;
   CellBounds bounds_;  // of all patches
   Structure structure_ = Structure::surface;
+  std::optional<Camera> eye_;
+  HeightSwitch heightSwitch_;
+  bool draped_ = false;
   enum class Rest { light, floor, statistics, pictures, nothing } rest_ = Rest::nothing;
 };
 

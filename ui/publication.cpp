@@ -63,12 +63,17 @@ HistoryView viewOf(const History<8>& history) {
 }
 
 bool Publication::empty() const {
-  return !cleared && fine.empty() && coarse.empty() && !floor && !status && !statistics &&
-         !opened && pictures.empty() && !left && !saved && !comparison && !shelf && !taken &&
-         !solid && !touched && notes.empty() && errors.empty();
+  return !cleared && fine.empty() && coarse.empty() && heights.empty() && !undraped && !floor &&
+         !status && !statistics && !opened && pictures.empty() && !left && !saved && !comparison &&
+         !shelf && !taken && !solid && !touched && notes.empty() && errors.empty();
 }
 
 void Publication::add(Publication later) {
+  if (later.undraped) {
+    undraped = true;
+    heights.clear();
+  }
+  for (auto& [key, patch] : later.heights) heights[key] = std::move(patch);
   if (later.cleared) {
     cleared = true;
     fine.clear();
@@ -93,6 +98,8 @@ void Publication::add(Publication later) {
   for (std::string& text : later.errors) errors.push_back(std::move(text));
 }
 
-std::size_t Publication::uploadBytes() const { return bytesOf(fine) + bytesOf(coarse); }
+std::size_t Publication::uploadBytes() const {
+  return bytesOf(fine) + bytesOf(coarse) + bytesOf(heights);
+}
 
 }  // namespace bozzetto::ui

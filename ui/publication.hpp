@@ -125,6 +125,9 @@ struct HandOperations {
 struct Publication {
   bool cleared = false;                  ///< forget all patches first
   std::map<Key, PatchRef> fine, coarse;  ///< by first corner; null: gone
+  std::map<Key, PatchRef> heights;       ///< cloths that are shown instead of both
+  /// All cloths there were are to go: for those above, or once all other patches are uploaded.
+  bool undraped = false;
   std::optional<FloorOcclusion> floor;
   std::optional<ClayStatus> status;
   std::optional<ClayStatistics> statistics;

@@ -146,7 +146,8 @@ void addMaterial(CLI::App& command, Arguments& a) {
   command.add_flag("--edges", a.edges, "Edges of the triangles over any mode");
   command
       .add_option("--structure", a.structure,
-                  "surface, cubes (all with clay), crossing-cubes (those the surface crosses)")
+                  "surface, cubes (all with clay), crossing-cubes (those the surface crosses), "
+                  "height-field (cloths over it, as while much clay moves)")
       ->capture_default_str();
 }
 

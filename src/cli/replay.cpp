@@ -7,6 +7,7 @@
 #include "bozzetto/base/parallel.hpp"
 #include "bozzetto/render/thumbnail.hpp"
 #include "bozzetto/scene/scene_file.hpp"
+#include "bozzetto/sculptor/clay_settings.hpp"
 #include "bozzetto/sculptor/recording.hpp"
 #include "bozzetto/sculptor/replay.hpp"
 #include "bozzetto/sculptor/session.hpp"
@@ -72,11 +73,13 @@ std::vector<OperationReport> replayToFile(const Arguments& arguments, const Reco
   options.solid = decodeSolid(document.parts.solid, arguments.from);
   options.shelf = document.parts.shelf;
   options.supports = document.parts.supports;
+  options.settings = settingsOf(document.parts, arguments.from);
   ReplayResult result = replay(recording, document.field, options, progress);
   document.field = std::move(result.field);
   document.parts.solid = encodeSolid(result.solid);
   document.parts.shelf = std::move(result.shelf);
   document.parts.supports = std::move(result.supports);
+  keepSettings(result.settings, document.parts);
   document.parts.thumbnail = thumbnailOf(document.field);
   saveScene(arguments.out, document, progress);
   return std::move(result.reports);

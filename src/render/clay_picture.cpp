@@ -103,8 +103,9 @@ bool ClayPicture::shows(const Request& request) const {
 
 bool ClayPicture::wantsCoarse(const Request& request) const {
   const Renderer::Impl& r = renderer_;
-  return r.stores[0].triangleCount() > coarseAbove(request.quality) &&
-         r.stores[1].triangleCount() > 0;
+  return r.finest() == Fineness::fine &&
+         r.store(Fineness::fine).triangleCount() > coarseAbove(request.quality) &&
+         r.store(Fineness::coarse).triangleCount() > 0;
 }
 
 ClayPicture::Report ClayPicture::bring(const Request& request) {
@@ -113,12 +114,12 @@ ClayPicture::Report ClayPicture::bring(const Request& request) {
   const bool coarse = moving && wantsCoarse(request);
   const auto changes = renderer_.changes.since(revision_);
   if (!shows(request) || !changes) {
-    return draw(request, coarse ? Fineness::coarse : Fineness::fine);
+    return draw(request, coarse ? Fineness::coarse : renderer_.finest());
   }
   if (!changes->empty()) {
     if (coarse) return draw(request, Fineness::coarse);
     if (const auto report = patch(request, *changes)) return *report;
-    return draw(request, Fineness::fine);
+    return draw(request, renderer_.finest());
   }
   if (fineness_ == Fineness::coarse) {
     return moving ? Report{} : draw(request, Fineness::fine);
@@ -177,7 +178,7 @@ ClayPicture::Report ClayPicture::draw(const Request& request, Fineness fineness)
 // reaches beyond the part with its shadows.
 std::optional<ClayPicture::Report> ClayPicture::patch(const Request& request,
                                                       std::span<const CellBounds> boxes) {
-  if (fineness_ != Fineness::fine || meanShown_ || drawnLook_.detail == Detail::full) {
+  if (fineness_ != renderer_.finest() || meanShown_ || drawnLook_.detail == Detail::full) {
     return std::nullopt;
   }
   const std::vector<PixelRect> parts = touchedParts(frame_, boxes);

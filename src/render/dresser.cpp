@@ -1,7 +1,9 @@
 #include "bozzetto/render/dresser.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "render/coarse_clay.hpp"
 
@@ -36,6 +38,10 @@ struct Dresser::Impl {
   CoarseClay coarse;
   std::set<Key> waiting;  // blocks in quick light
   std::set<Key> soon;     // these and their neighbours: to be done in good light
+  std::optional<HeightView> heights;
+  std::vector<KeyRun> late;  // changed under cloths: the coarse clay does not have it yet
+  std::vector<KeyRun> dim;   // of these, what the volume does not have either
+  int redraped = 0;
 
   void widen(const Surface<8>& surface);
 };
@@ -59,6 +65,9 @@ std::vector<UnpackedPatch> Dresser::rebuild(const Clay& clay, const Surface<8>& 
   impl_->volume = OcclusionVolume(clay);
   impl_->waiting.clear();
   impl_->soon.clear();
+  impl_->heights.reset();
+  impl_->late.clear();
+  impl_->dim.clear();
   std::vector<UnpackedPatch> patches;
   for (const auto& [block, run] : surface.patches()) patches.push_back(finePatch(surface, block));
   for (const Key block : impl_->coarse.rebuild(clay)) patches.push_back(impl_->coarse.patch(block));
@@ -69,6 +78,14 @@ std::vector<UnpackedPatch> Dresser::rebuild(const Clay& clay, const Surface<8>& 
 std::vector<UnpackedPatch> Dresser::refresh(const Clay& clay, const Surface<8>& surface,
                                             std::span<const KeyRun> changedBlocks,
                                             std::span<const Key> changedPatches) {
+  impl_->heights.reset();
+  impl_->dim.clear();
+  std::vector<KeyRun> late = std::exchange(impl_->late, {});
+  if (!late.empty()) {
+    late.insert(late.end(), changedBlocks.begin(), changedBlocks.end());
+    late = withoutOverlaps(std::move(late));
+    changedBlocks = late;
+  }
   impl_->volume.refresh(clay, changedBlocks);
   std::vector<UnpackedPatch> patches;
   for (const Key block : changedPatches) {
@@ -80,6 +97,29 @@ std::vector<UnpackedPatch> Dresser::refresh(const Clay& clay, const Surface<8>& 
   }
   light(impl_->volume, patches, LightDetail::quick);
   return patches;
+}
+
+std::vector<UnpackedPatch> Dresser::drape(const Clay& clay, std::vector<Facing> facings) {
+  return impl_->heights.emplace(std::move(facings), kReach).rebuild(clay, impl_->volume);
+}
+
+// What light reads follows every few times only: it changes slowly, and its pyramid costs as much
+// as the rays.
+std::vector<UnpackedPatch> Dresser::redrape(const Clay& clay,
+                                            std::span<const KeyRun> changedBlocks) {
+  constexpr int kEvery = 4;
+  Impl& d = *impl_;
+  d.late.insert(d.late.end(), changedBlocks.begin(), changedBlocks.end());
+  d.late = withoutOverlaps(std::move(d.late));
+  d.dim.insert(d.dim.end(), changedBlocks.begin(), changedBlocks.end());
+  if (++d.redraped % kEvery == 0) {
+    d.volume.refresh(clay, withoutOverlaps(std::exchange(d.dim, {})));
+  }
+  return d.heights->refresh(clay, d.volume, changedBlocks);
+}
+
+const HeightView* Dresser::drapery() const {
+  return impl_->heights ? &*impl_->heights : nullptr;
 }
 
 std::vector<UnpackedPatch> Dresser::settle(const Surface<8>& surface, std::size_t most) {

@@ -222,7 +222,7 @@ std::size_t Renderer::Impl::redrawPart(const Shot& shot, const Look& look, const
   glViewport(0, 0, frame.width, frame.height);
   const Enabled scissor(GL_SCISSOR_TEST);
   glScissor(part.x, part.y, part.width, part.height);
-  const auto chunks = store(Fineness::fine).seen(frame.anchor, seen.block.clipFromCells);
+  const auto chunks = store(finest()).seen(frame.anchor, seen.block.clipFromCells);
   drawBackdrop(frame);
   drawClay(frame, look, chunks);
   glBindVertexArray(0);
@@ -244,7 +244,7 @@ void Renderer::Impl::begin(SliceSum& sum, const Shot& shot, const Look& look) {
   }
   SliceProgress& next = sum.progress.emplace();
   next.frame = makeFrame(shot, look, sliceAt(sum.slices));
-  const PatchStore& clay = store(Fineness::fine);
+  const PatchStore& clay = store(finest());
   if (look.detail == Detail::full) {
     next.shadow = clay.seen(next.frame.anchor, next.frame.block.shadowFromCells);
     beginShadowMap();

@@ -32,12 +32,12 @@ CellBounds boundsOf(const PatchVertices& patch) {
   return {corner + glm::dvec3(low), corner + glm::dvec3(high)};
 }
 
-// False when all corners of the chunk at `origin` lie beyond one side of the view.
-bool touchesClip(const glm::vec3& origin, const glm::mat4& clip) {
+// False when all corners of the box lie beyond one side of the view.
+bool touchesClip(const glm::vec3& low, const glm::vec3& high, const glm::mat4& clip) {
   int outside[6] = {};
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec3 step(corner & 4 ? 1 : 0, corner & 2 ? 1 : 0, corner & 1 ? 1 : 0);
-    const glm::vec4 p = clip * glm::vec4(origin + step * float(kChunkCells), 1);
+    const glm::bvec3 upper(corner & 4, corner & 2, corner & 1);
+    const glm::vec4 p = clip * glm::vec4(glm::mix(low, high, upper), 1);
     for (int axis = 0; axis < 3; ++axis) {
       outside[2 * axis] += p[axis] < -p.w;
       outside[2 * axis + 1] += p[axis] > p.w;
@@ -86,6 +86,7 @@ CellBounds PatchStore::upload(const PatchVertices& patch, std::int64_t& bytes) {
       chunk.put(patch.origin, packed(patch, shift), {patch.indices.begin(), patch.indices.end()});
   slot.bounds = boundsOf(patch);
   changed.add(slot.bounds);
+  chunk.bounds.add(slot.bounds);
   bytes += std::int64_t(slot.vertexCount * sizeof(Vertex) + slot.indexCount * 4);
   return changed;
 }
@@ -108,7 +109,9 @@ std::vector<PatchStore::Seen> PatchStore::seen(Key anchor, const glm::mat4& clip
   std::vector<Seen> seen;
   for (const auto& [key, chunk] : chunks_) {
     const glm::vec3 origin = difference(key * kChunkCells, anchor);
-    if (!touchesClip(origin, clipFromCells)) continue;
+    const glm::dvec3 eye(anchor.i, anchor.j, anchor.k);
+    const glm::vec3 low(chunk.bounds.low - eye), high(chunk.bounds.high - eye);
+    if (!touchesClip(low, high, clipFromCells)) continue;
     const glm::vec3 middle = origin + kChunkCells / 2.f;
     seen.push_back({origin, &chunk, glm::dot(middle, middle)});
   }

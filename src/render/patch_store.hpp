@@ -69,6 +69,7 @@ class PatchStore {
     RangeAllocator vertexRanges, indexRanges;
     std::map<Key, Slot> slots;
     std::size_t triangles = 0;
+    CellBounds bounds;  // of all it ever had: pieces of cloths hang out of it
 
     Slot& put(Key origin, const std::vector<Vertex>& vertex, std::vector<std::uint32_t> index);
     CellBounds remove(Key origin, std::int64_t& bytes);

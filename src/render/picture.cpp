@@ -3,6 +3,7 @@
 #include <memory>
 #include <numbers>
 
+#include "bozzetto/render/height_view.hpp"
 #include "bozzetto/render/occlusion.hpp"
 #include "bozzetto/render/offscreen.hpp"
 #include "bozzetto/render/renderer.hpp"
@@ -68,28 +69,34 @@ Photographer::Photographer(const Surface<8>& surface, const Clay& clay,
   size.height = options.height;
   requireSize(size);
   progress.step("light", 0);
-  const auto patches = structurePatches(surface, clay, options.structure);
+  auto patches = structurePatches(surface, clay, options.structure);
   shot_ = framedShot(patches, options);
+  const CellBounds bounds = boundsOf(patches);
+  const double reach = kReachUnits * shot_.stage.unit;
   const OcclusionVolume volume(clay);
-  std::vector<PatchVertices> views = viewsOf(patches);
   progress.step("light", 0.2);
-  const auto lights = lightOf(volume, views, kReachUnits * shot_.stage.unit);
+  if (options.structure == Structure::heights) {
+    const bool turns = options.frames > 1;
+    patches =
+        clothPatches(clay, turns ? allFacings() : facingsFor(shot_.camera, bounds), volume, reach);
+  } else {
+    auto lights = lightOf(volume, viewsOf(patches), reach);
+    for (std::size_t n = 0; n < patches.size(); ++n) patches[n].light = std::move(lights[n]);
+  }
   progress.step("light", 1);
 
   context_ = std::make_unique<OffscreenContext>();
   renderer_ = std::make_unique<Renderer>();
-  for (std::size_t n = 0; n < views.size(); ++n) {
-    views[n].light = lights[n];
-    renderer_->uploadPatch(views[n]);
-  }
-  renderer_->setFloorOcclusion(floorOcclusion(volume, shot_.stage, boundsOf(patches)));
+  for (const UnpackedPatch& patch : patches) renderer_->uploadPatch(patch.view());
+  renderer_->setFloorOcclusion(floorOcclusion(volume, shot_.stage, bounds));
 }
 
 Image Photographer::frame(int number, Progress& progress) {
   Shot shot = shot_;
   shot.camera.yaw += 2 * std::numbers::pi * number / options_.frames;
   Look look = options_.look;
-  look.cellLines |= options_.structure != Structure::surface;
+  look.cellLines |=
+      options_.structure == Structure::cubes || options_.structure == Structure::crossingCubes;
   return stereoStill(*renderer_, shot, look, options_.stereo, options_.slices, progress);
 }
 

@@ -65,6 +65,11 @@ void Renderer::clear() {
   impl_->changes.noteAll();
 }
 
+void Renderer::clear(Fineness fineness) {
+  impl_->store(fineness).clear();
+  impl_->changes.noteAll();
+}
+
 std::size_t Renderer::triangleCount(Fineness fineness) const {
   return impl_->store(fineness).triangleCount();
 }
@@ -78,7 +83,7 @@ void Renderer::setFloorOcclusion(const FloorOcclusion& floor) {
 
 void Renderer::draw(const Shot& shot, const Look& look) {
   requireDrawable(shot);
-  impl_->drawFrame(shot, look);
+  impl_->drawFrame(shot, look, impl_->finest());
   gl::check("drawing a frame");
 }
 

@@ -43,7 +43,7 @@ struct SliceSum {
 
 struct Renderer::Impl {
   Programs programs;
-  std::array<PatchStore, 2> stores;  // by fineness
+  std::array<PatchStore, 3> stores;  // by fineness
   UploadCounters uploads;
   ChangeLog changes;
   gl::VertexArray nothing = gl::newVertexArray();  // for triangles made in the vertex shader
@@ -56,10 +56,14 @@ struct Renderer::Impl {
 
   Impl();
   PatchStore& store(Fineness fineness) { return stores[std::size_t(fineness)]; }
+  const PatchStore& store(Fineness fineness) const { return stores[std::size_t(fineness)]; }
+  /// What is drawn where nothing else is asked for.
+  Fineness finest() const {
+    return store(Fineness::heights).triangleCount() > 0 ? Fineness::heights : Fineness::fine;
+  }
 
   /// A frame into the bound framebuffer's lower left corner; returns the triangles drawn.
-  std::size_t drawFrame(const Shot& shot, const Look& look, Fineness fineness = Fineness::fine,
-                        int taps = 16);
+  std::size_t drawFrame(const Shot& shot, const Look& look, Fineness fineness, int taps = 16);
   /// The same where clip space shows `part` pixels of it: only there.
   std::size_t redrawPart(const Shot& shot, const Look& look, const PixelRect& part);
 

@@ -144,9 +144,11 @@ std::vector<UnpackedPatch> crossingCubes(const Surface<8>& surface, const Clay& 
 
 Structure parseStructure(std::string_view name) {
   using enum Structure;
-  return parseName<Structure>(
-      "structure", name,
-      {{"surface", surface}, {"cubes", cubes}, {"crossing-cubes", crossingCubes}});
+  return parseName<Structure>("structure", name,
+                              {{"surface", surface},
+                               {"cubes", cubes},
+                               {"crossing-cubes", crossingCubes},
+                               {"height-field", heights}});
 }
 
 std::vector<UnpackedPatch> structurePatches(const Surface<8>& surface, const Clay& clay,

@@ -5,15 +5,19 @@
 
 namespace bozzetto {
 
-UnpackedPatch::UnpackedPatch(Key firstCorner, const SurfacePatch& patch) : origin(firstCorner) {
-  const PatchContent content = patch.content();
-  const std::size_t count = content.vertices.size();
+UnpackedPatch::UnpackedPatch(Key firstCorner, const SurfacePatch& patch)
+    : UnpackedPatch(firstCorner, patch.content().vertices, patch.content().indices) {}
+
+UnpackedPatch::UnpackedPatch(Key firstCorner, std::span<const PatchVertex> vertices,
+                             std::span<const std::uint16_t> triangles)
+    : origin(firstCorner), indices(triangles.begin(), triangles.end()) {
+  const std::size_t count = vertices.size();
   positions.reserve(count);
   normals.reserve(count);
   colours.reserve(count);
-  const bool held = std::any_of(content.vertices.begin(), content.vertices.end(),
+  const bool held = std::any_of(vertices.begin(), vertices.end(),
                                 [](const PatchVertex& vertex) { return vertex.colour[3] != 0; });
-  for (const PatchVertex& vertex : content.vertices) {
+  for (const PatchVertex& vertex : vertices) {
     const auto& p = vertex.position;
     const auto n = octahedralNormal(vertex.normal);
     positions.emplace_back(p[0], p[1], p[2]);
@@ -21,7 +25,6 @@ UnpackedPatch::UnpackedPatch(Key firstCorner, const SurfacePatch& patch) : origi
     colours.push_back({vertex.colour[0], vertex.colour[1], vertex.colour[2]});
     if (held) hold.push_back(vertex.colour[3]);
   }
-  indices.assign(content.indices.begin(), content.indices.end());
 }
 
 CellBounds UnpackedPatch::bounds() const {

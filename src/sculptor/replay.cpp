@@ -76,11 +76,12 @@ ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOpt
   Sculptor sculptor(std::move(start), options.upkeep);
   sculptor.place(options.solid);
   sculptor.place(options.supports);
+  sculptor.place(options.settings);
   sculptor.tools().shelf = options.shelf;
   sculptor.tools().depth = options.depth;
   auto reports = replay(recording, sculptor, progress);
   return {sculptor.field(), sculptor.solid(), sculptor.tools().shelf, sculptor.clay().supports,
-          std::move(reports)};
+          sculptor.clay().settings, std::move(reports)};
 }
 
 OperationReport totalOf(const std::vector<OperationReport>& reports) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bozzetto/history/copy.hpp"
+#include "bozzetto/sculptor/clay_settings.hpp"
 #include "bozzetto/solid/solid_codec.hpp"
 #include "sculptor/kept_parts.hpp"
 
@@ -111,12 +112,14 @@ Session::~Session() = default;
 void Session::give(const SceneParts& given) {
   sculptor_.tools().shelf = given.shelf;
   sculptor_.place(given.supports);
+  sculptor_.place(settingsOf(given, path_.string()));
 }
 
 SceneParts Session::partsNow() const {
   SceneParts now = parts;
   now.shelf = sculptor_.tools().shelf;
   now.supports = sculptor_.clay().supports;
+  keepSettings(sculptor_.clay().settings, now);
   return now;
 }
 

@@ -14,24 +14,6 @@ void sortOnce(std::vector<Key>& noted) {
   noted.erase(std::unique(noted.begin(), noted.end()), noted.end());
 }
 
-// Where undo changed a long run and a dab a block of it, the longer one counts.
-std::vector<KeyRun> withoutOverlaps(std::vector<KeyRun> runs) {
-  std::vector<KeyRun> clear;
-  for (const KeyRun& run : runs) {
-    if (!clear.empty()) {
-      KeyRun& last = clear.back();
-      const bool sameRow = last.key.i == run.key.i && last.key.j == run.key.j;
-      const std::int32_t end = last.key.k + last.length;
-      if (sameRow && run.key.k < end) {
-        last.length = std::max(end, run.key.k + run.length) - last.key.k;
-        continue;
-      }
-    }
-    clear.push_back(run);
-  }
-  return clear;
-}
-
 }  // namespace
 
 ToolShape Hand::tool(double spacing) const {
@@ -89,6 +71,7 @@ void Workbench<Side>::rememberSupports() {
 template <int Side>
 void Workbench<Side>::showAll() {
   followed_ = false;
+  waiting_.reset();
   if (upkeep_ == SurfaceUpkeep::none) return;
   surface_.rebuild(field_);
   changes_ = {.all = true, .blocks = {}, .patches = {}};
@@ -97,7 +80,6 @@ void Workbench<Side>::showAll() {
 template <int Side>
 SurfaceChanges Workbench<Side>::takeChanges() {
   SurfaceChanges taken = std::exchange(changes_, {});
-  std::ranges::sort(taken.blocks, {}, &KeyRun::key);
   taken.blocks = withoutOverlaps(std::move(taken.blocks));
   sortOnce(taken.patches);
   return taken;
@@ -107,17 +89,34 @@ template <int Side>
 void Workbench<Side>::refresh(std::span<const ChangedRun> changed, OperationReport& report) {
   if (upkeep_ == SurfaceUpkeep::none) return;
   followed_ = true;
-  {
+  if (waiting_) {
+    waiting_->insert(waiting_->end(), changed.begin(), changed.end());
+    note(changed, {});
+  } else {
     const Timer timer(report.msSurface);
     note(changed, surface_.refresh(field_, changed));
   }
   report.treated += treatedCubes<Side>(changed);
 }
 
+template <int Side>
+void Workbench<Side>::letSurfaceWait() {
+  if (upkeep_ == SurfaceUpkeep::afterEachDab && !waiting_) waiting_.emplace();
+}
+
+template <int Side>
+void Workbench<Side>::catchUp() {
+  if (!waiting_) return;
+  const std::vector<KeyRun> runs = withoutOverlaps(std::move(*waiting_));
+  waiting_.reset();
+  note(std::span<const KeyRun>(runs), surface_.refresh(field_, runs));
+}
+
 // Brings the surface over a whole delta, in either direction.
 template <int Side>
 void Workbench<Side>::show(const Delta<Block>& delta, OperationReport& report) {
   if (upkeep_ == SurfaceUpkeep::none) return;
+  catchUp();
   {
     const Timer timer(report.msSurface);
     const std::vector<KeyRun> keys = delta.keys();

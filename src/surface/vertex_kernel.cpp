@@ -1,5 +1,7 @@
 #include "surface/vertex_kernel.hpp"
 
+#include <bit>
+
 #include "bozzetto/base/simd.hpp"
 
 // Nobody reads floating-point exception flags; GCC vectorises selections only when told so.
@@ -89,6 +91,10 @@ BOZZETTO_SIMD_DISPATCH(void, finishDispatched, finishKernel,
 
 void finishVertices(CrossingEdges& edges, int count, float iso) {
   finishDispatched(edges, count, iso);
+}
+
+std::array<std::int16_t, 2> packedNormal(float x, float y, float z) {
+  return std::bit_cast<std::array<std::int16_t, 2>>(octahedral(x, y, z));
 }
 
 }  // namespace bozzetto

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "bozzetto/base/parallel.hpp"
+#include "bozzetto/render/height_view.hpp"
 #include "bozzetto/render/png.hpp"
 #include "loaded.hpp"
 
@@ -50,6 +51,36 @@ TEST(Picture, HasTheSizeAskedForAndTheClayInIt) {
   EXPECT_GT(clay, 160 * 120 / 8);
   EXPECT_LT(clay, 160 * 120 / 2);
   for (const Image::Pixel& pixel : image.pixels) ASSERT_EQ(pixel[3], 255);
+}
+
+// Mean difference of the channels, 0 … 255.
+double difference(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t n = 0; n < a.pixels.size(); ++n)
+    for (std::size_t c = 0; c < 3; ++c) sum += std::abs(a.pixels[n][c] - b.pixels[n][c]);
+  return sum / double(3 * a.pixels.size());
+}
+
+// Cloths stand in for the mesh while clay moves: nobody is to see the change.
+TEST(Picture, ClothsLookLikeTheMesh) {
+  for (const Viewpoint viewpoint : {Viewpoint::hero, Viewpoint::front, Viewpoint::top}) {
+    PictureOptions options = small();
+    options.viewpoint = viewpoint;
+    const Image mesh = pictureOf(headScene(), options);
+    options.structure = Structure::heights;
+    EXPECT_LT(difference(mesh, pictureOf(headScene(), options)), .6);
+  }
+}
+
+TEST(Picture, AnEyeNeedsOnlyTheClothsThatFaceIt) {
+  const CellBounds bounds{glm::dvec3(-20), glm::dvec3(20)};
+  Camera camera;
+  camera.projection = Projection::orthographic;
+  const std::vector<Facing> front{{Axis::z, Facing::From::above}};
+  EXPECT_EQ(facingsFor(camera, bounds), front);
+  camera.yaw = .6;
+  camera.pitch = -.4;
+  EXPECT_EQ(facingsFor(camera, bounds).size(), 3u);
 }
 
 TEST(Picture, SizesOutOfRangeAreErrors) {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "bozzetto/history/copy.hpp"
+#include "bozzetto/sculptor/clay_settings.hpp"
 #include "support/folder.hpp"
 
 namespace bozzetto {
@@ -83,6 +84,33 @@ TEST_F(Sessions, supportsBelongToTheScene) {
   EXPECT_EQ(session.sculptor().clay().supports[1].shape, Shape::cylinder);
   EXPECT_EQ(session.sculptor().clay().supports[0].centre, glm::dvec3(0, -20, 0));
   EXPECT_TRUE(session.saved());
+}
+
+TEST_F(Sessions, clayGoesOnAsItWas) {
+  ClayOperation dry;
+  dry.settings.stiffness = .125;
+  dry.settings.layers = {clay::LayerKind::automaton};
+  dry.settings.sharing = clay::SharingRule::literal;
+  {
+    Session session = Session::create(scene_);
+    session.sculptor().apply(fillAt(0));
+    session.save();
+    EXPECT_TRUE(session.saved());
+    session.sculptor().apply(dry);
+    EXPECT_FALSE(session.saved());
+    session.save();
+  }
+  {
+    Session session = Session::open(scene_);
+    EXPECT_EQ(toText(ClayOperation{session.sculptor().clay().settings}), toText(dry));
+    EXPECT_TRUE(session.saved());
+    session.sculptor().apply(ClayOperation{});
+    session.save();
+    EXPECT_FALSE(session.document().parts.settings.contains("clay"));
+  }
+  SceneParts damaged;
+  damaged.settings["clay"] = R"({"op":"undo"})";
+  EXPECT_THROW(settingsOf(damaged, "scene"), Error);
 }
 
 TEST_F(Sessions, whatWasNotSavedComesBack) {

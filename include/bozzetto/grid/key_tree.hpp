@@ -12,6 +12,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bozzetto/grid/key.hpp"
 #include "bozzetto/grid/ref.hpp"
@@ -31,6 +32,25 @@ struct KeyRun {
   Key key;
   std::int32_t length = 1;
 };
+
+/// The same keys, sorted and each once.
+inline std::vector<KeyRun> withoutOverlaps(std::vector<KeyRun> runs) {
+  std::ranges::sort(runs, {}, &KeyRun::key);
+  std::vector<KeyRun> clear;
+  for (const KeyRun& run : runs) {
+    if (!clear.empty()) {
+      KeyRun& last = clear.back();
+      const bool sameRow = last.key.i == run.key.i && last.key.j == run.key.j;
+      const std::int32_t end = last.key.k + last.length;
+      if (sameRow && run.key.k < end) {
+        last.length = std::max(end, run.key.k + run.length) - last.key.k;
+        continue;
+      }
+    }
+    clear.push_back(run);
+  }
+  return clear;
+}
 
 // Pools hide overruns from the address sanitizer; there the standard allocator serves.
 #ifdef BOZZETTO_SANITIZED

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "bozzetto/render/height_view.hpp"
 #include "bozzetto/render/occlusion.hpp"
 #include "bozzetto/render/unpack.hpp"
 #include "bozzetto/surface/surface.hpp"
@@ -28,6 +29,14 @@ class Dresser {
   std::vector<UnpackedPatch> refresh(const Clay& clay, const Surface<8>& surface,
                                      std::span<const KeyRun> changedBlocks,
                                      std::span<const Key> changedPatches);
+
+  /// While much of the clay moves: cloths from these sides in place of all patches, until the next
+  /// refresh or rebuild. O(blocks + rays).
+  std::vector<UnpackedPatch> drape(const Clay& clay, std::vector<Facing> facings);
+  /// What changed of them: blocks of the field. Light lags behind. O(changed).
+  std::vector<UnpackedPatch> redrape(const Clay& clay, std::span<const KeyRun> changedBlocks);
+  /// The cloths there are; null when there are none.
+  const HeightView* drapery() const;
 
   /// At rest: good light for what was refreshed and for what stands near it, at most `most` patches
   /// a call; empty when all is done.

@@ -16,8 +16,9 @@ struct VertexLight {
   float cavity = 0;         ///< −1 sharp ridge … 0 flat … 1 deep crease
 };
 
-/// The clay as it is, or its half-resolution stand-in for moving frames.
-enum class Fineness : std::uint8_t { fine, coarse };
+/// The clay as it is, its half-resolution stand-in for moving frames, or cloths thrown over it,
+/// which are drawn instead of both while there are any.
+enum class Fineness : std::uint8_t { fine, coarse, heights };
 
 /// Views into the caller's arrays. Positions count cells from `origin`; triangles are
 /// counter-clockwise seen from outside. `light` is empty or has one entry per vertex, `hold` too.

@@ -29,6 +29,7 @@ class Renderer {
   void uploadPatch(const PatchVertices& patch);
   void removePatch(Key origin, Fineness fineness = Fineness::fine);
   void clear();
+  void clear(Fineness fineness);
   std::size_t triangleCount(Fineness fineness = Fineness::fine) const;
   const UploadCounters& uploads() const;
 

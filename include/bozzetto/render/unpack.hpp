@@ -23,6 +23,8 @@ struct UnpackedPatch {
   explicit UnpackedPatch(Key firstCorner) : origin(firstCorner) {}
   /// `firstCorner` is the block's first corner, in cells.
   UnpackedPatch(Key firstCorner, const SurfacePatch& patch);
+  UnpackedPatch(Key firstCorner, std::span<const PatchVertex> vertices,
+                std::span<const std::uint16_t> triangles);
 
   PatchVertices view() const {
     return {origin, positions, normals, colours, indices, light, hold, fineness};

@@ -33,6 +33,8 @@ class BasicSculptor {
   void place(SolidRef solid) { bench_.placeSolid(std::move(solid)); }
   /// The supports of a document just opened: no step of history.
   void place(std::vector<clay::Support> supports) { bench_.clay.supports = std::move(supports); }
+  /// How the clay of a document just opened behaves: no step of history.
+  void place(const clay::Settings& settings) { bench_.clay.settings = settings; }
   /// The solid being worked on; null when there is none.
   const SolidRef& solid() const { return bench_.solid(); }
 
@@ -54,6 +56,9 @@ class BasicSculptor {
   const Surface<Side>& surface() const { return bench_.surface(); }
   /// What changed in clay and surface since the last call. Needs upkeep.
   SurfaceChanges takeChanges() { return bench_.takeChanges(); }
+  /// Strokes leave the surface as it is, and note changed blocks, until it catches up.
+  void letSurfaceWait() { bench_.letSurfaceWait(); }
+  void catchUp() { bench_.catchUp(); }
 
  private:
   Workbench<Side> bench_;

@@ -85,6 +85,10 @@ class Workbench {
   /// is all that the edit changed since the last call; an edit that calls this once calls it after
   /// every change.
   void refresh(std::span<const ChangedRun> changed, OperationReport& report);
+  /// The surface stays as it is in edits to come, whose blocks are noted, until it catches up:
+  /// somebody shows the clay in another way meanwhile.
+  void letSurfaceWait();
+  void catchUp();
   bool shows() const { return upkeep_ == SurfaceUpkeep::afterEachDab; }
   /// Makes the surface anew, after a rollback.
   void showAll();
@@ -109,6 +113,7 @@ class Workbench {
   SolidRef nextSolid_;
   std::map<StepNumber, std::vector<clay::Support>> supports_;  // of states since opening
   SurfaceUpkeep upkeep_;
+  std::optional<std::vector<KeyRun>> waiting_;  // for the surface, while it is let wait
   bool followed_ = false;  // the surface has followed the present edit
   MassSum massUnits_ = 0;
 };
