@@ -54,6 +54,7 @@ class ClayDesk {
 
   /// From where the clay is looked at: while much of it moves only what is seen is shown.
   void seenFrom(const Camera& camera);
+  void setHeightSwitch(const HeightSwitch& by) { heightSwitch_ = by; }
 
   // Operations.
   void apply(const Operation& operation, Progress& progress = Progress::none());

@@ -9,7 +9,12 @@
 
 namespace bozzetto::clay {
 
-inline constexpr float kSteepness = 2.5f;  // β (clay.md §2)
+// β, with e^β and e^−β.
+struct Steepness {
+  float beta, end, endInverse;
+};
+inline constexpr Steepness kSoft{2.5f, 12.18249396f, 0.08208499862f};  // clay.md §2: used
+inline constexpr Steepness kHard{3.5f, 33.11545196f, 0.03019738342f};  // clay.md §11, case 5
 
 // eˣ for |x| ≤ 80, relative error 2e-7: the same bits on every machine.
 BOZZETTO_KERNEL float exponential(float x) {
@@ -49,15 +54,15 @@ BOZZETTO_KERNEL float logarithm(float x) {
 
 // What leaves a cell with mean `density` in (0, 1) through a face, over a width `u` in [0, 1], when
 // the density rises towards that face; falling is density − what would leave a rising 1 − …, here
-// by the sign of the exponent. `endE` = e^β.
+// by the sign of the exponent.
 //   ½(u + γ/β · ln(cosh(β(1 − x̃)) / cosh(β(1 − u − x̃)))), x̃ from the mean, γ = ±1.
-BOZZETTO_KERNEL float thincFlux(float density, float u, float sign) {
-  const float endE = 12.18249396f, endInverse = 0.08208499862f;  // e^±β
-  const float e = exponential((kSteepness * sign) * (2.0f * density - 1.0f));
-  const float jump = (endE - e) / (e - endInverse);  // e^(2β·x̃)
-  const float s = exponential(kSteepness * (1.0f - u));
-  const float ratio = (endE + endInverse * jump) / (s + jump / s);
-  return 0.5f * (u + sign * logarithm(ratio) * (1.0f / kSteepness));
+BOZZETTO_KERNEL float thincFlux(float density, float u, float sign, const Steepness& by = kSoft) {
+  const auto [beta, end, endInverse] = by;
+  const float e = exponential((beta * sign) * (2.0f * density - 1.0f));
+  const float jump = (end - e) / (e - endInverse);  // e^(2β·x̃)
+  const float s = exponential(beta * (1.0f - u));
+  const float ratio = (end + endInverse * jump) / (s + jump / s);
+  return 0.5f * (u + sign * logarithm(ratio) * (1.0f / beta));
 }
 
 }  // namespace bozzetto::clay

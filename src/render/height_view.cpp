@@ -115,13 +115,13 @@ std::vector<UnpackedPatch> clothPatches(const Clay& clay, std::vector<Facing> fa
 void HeightSwitch::meshed(std::size_t blocks, double milliseconds) {
   if (blocks == 0) return;
   perBlock_ = milliseconds / double(blocks);
-  slow_ = milliseconds > kTooLong ? slow_ + 1 : 0;
+  slow_ = milliseconds > tooLong_ ? slow_ + 1 : 0;
   quick_ = 0;
   wantsCloths_ = slow_ >= 2;
 }
 
 void HeightSwitch::draped(std::size_t blocks) {
-  quick_ = perBlock_ * double(blocks) < kLittle ? quick_ + 1 : 0;
+  quick_ = perBlock_ * double(blocks) < little_ ? quick_ + 1 : 0;
   if (quick_ < 4) return;
   wantsCloths_ = false;
   slow_ = 0;

@@ -116,11 +116,19 @@ TEST(KnownAnswers, ThreeToolsShareWithoutJumps) {
 }
 
 TEST(KnownAnswers, ThincOutflow) {
-  const float falling[] = {.034608f, .122851f, .284608f}, rising[] = {.215392f, .377149f, .465392f};
-  for (int n = 0; n < 3; ++n) {
-    const float density = 0.25f * static_cast<float>(n + 1);
-    EXPECT_NEAR(thincFlux(density, 0.5f, -1), falling[n], 2e-6);
-    EXPECT_NEAR(thincFlux(density, 0.5f, 1), rising[n], 2e-6);
+  struct Case {
+    Steepness by;
+    std::array<float, 3> falling, rising;
+  };
+  const Case cases[] = {
+      {kSoft, {.034608f, .122851f, .284608f}, {.215392f, .377149f, .465392f}},
+      {kHard, {.018639f, .094771f, .268639f}, {.231361f, .405229f, .481361f}}};
+  for (const Case& each : cases) {
+    for (std::size_t n = 0; n < 3; ++n) {
+      const float density = 0.25f * static_cast<float>(n + 1);
+      EXPECT_NEAR(thincFlux(density, 0.5f, -1, each.by), each.falling[n], 2e-6);
+      EXPECT_NEAR(thincFlux(density, 0.5f, 1, each.by), each.rising[n], 2e-6);
+    }
   }
 }
 

@@ -59,17 +59,19 @@ class HeightView {
 /// what a block took.
 class HeightSwitch {
  public:
-  static constexpr double kTooLong = 50, kLittle = 20;  ///< milliseconds
+  /// Milliseconds.
+  explicit HeightSwitch(double tooLong = 50, double little = 20)
+      : tooLong_(tooLong), little_(little) {}
 
   /// The mesh followed the change of so many blocks in so long.
   void meshed(std::size_t blocks, double milliseconds);
   /// Cloths did.
   void draped(std::size_t blocks);
   bool wantsCloths() const { return wantsCloths_; }
-  void reset() { *this = HeightSwitch{}; }
+  void reset() { *this = HeightSwitch(tooLong_, little_); }
 
  private:
-  double perBlock_ = 0;
+  double tooLong_, little_, perBlock_ = 0;
   int slow_ = 0, quick_ = 0;
   bool wantsCloths_ = false;
 };
