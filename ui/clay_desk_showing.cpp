@@ -69,7 +69,9 @@ void ClayDesk::drape() {
   out_.undraped = true;
   out_.heights.clear();
   draped_ = true;
+  const CellBounds edited = status_.lastEdit;
   putCloths(dresser_->drape(sculptor().field(), facingsFor(*eye_, bounds_)));
+  status_.lastEdit = edited;
 }
 
 void ClayDesk::undrape() {

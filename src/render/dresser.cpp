@@ -40,8 +40,6 @@ struct Dresser::Impl {
   std::set<Key> soon;     // these and their neighbours: to be done in good light
   std::optional<HeightView> heights;
   std::vector<KeyRun> late;  // changed under cloths: the coarse clay does not have it yet
-  std::vector<KeyRun> dim;   // of these, what the volume does not have either
-  int redraped = 0;
 
   void widen(const Surface<8>& surface);
 };
@@ -67,7 +65,6 @@ std::vector<UnpackedPatch> Dresser::rebuild(const Clay& clay, const Surface<8>& 
   impl_->soon.clear();
   impl_->heights.reset();
   impl_->late.clear();
-  impl_->dim.clear();
   std::vector<UnpackedPatch> patches;
   for (const auto& [block, run] : surface.patches()) patches.push_back(finePatch(surface, block));
   for (const Key block : impl_->coarse.rebuild(clay)) patches.push_back(impl_->coarse.patch(block));
@@ -79,7 +76,6 @@ std::vector<UnpackedPatch> Dresser::refresh(const Clay& clay, const Surface<8>& 
                                             std::span<const KeyRun> changedBlocks,
                                             std::span<const Key> changedPatches) {
   impl_->heights.reset();
-  impl_->dim.clear();
   std::vector<KeyRun> late = std::exchange(impl_->late, {});
   if (!late.empty()) {
     late.insert(late.end(), changedBlocks.begin(), changedBlocks.end());
@@ -103,18 +99,12 @@ std::vector<UnpackedPatch> Dresser::drape(const Clay& clay, std::vector<Facing> 
   return impl_->heights.emplace(std::move(facings), kReach).rebuild(clay, impl_->volume);
 }
 
-// What light reads follows every few times only: it changes slowly, and its pyramid costs as much
-// as the rays.
 std::vector<UnpackedPatch> Dresser::redrape(const Clay& clay,
                                             std::span<const KeyRun> changedBlocks) {
-  constexpr int kEvery = 4;
   Impl& d = *impl_;
   d.late.insert(d.late.end(), changedBlocks.begin(), changedBlocks.end());
   d.late = withoutOverlaps(std::move(d.late));
-  d.dim.insert(d.dim.end(), changedBlocks.begin(), changedBlocks.end());
-  if (++d.redraped % kEvery == 0) {
-    d.volume.refresh(clay, withoutOverlaps(std::exchange(d.dim, {})));
-  }
+  d.volume.refresh(clay, changedBlocks);  // light in clay that has gone would be dark
   return d.heights->refresh(clay, d.volume, changedBlocks);
 }
 
