@@ -46,8 +46,8 @@ TYPED_TEST(Difference, countsEveryCornerOnce) {
 }
 
 TYPED_TEST(Difference, theBlocksThatDifferHoldAllCornersThatDo) {
-  constexpr int kSide = TestFixture::kSide;
-  const auto before = ball<kSide>(20), after = ball<kSide>(17, {6, -3, 2});
+  constexpr int side = TestFixture::kSide;
+  const auto before = ball<side>(20), after = ball<side>(17, {6, -3, 2});
   const std::vector<KeyRun> runs = differingBlocks(before, after);
   std::int64_t blocks = 0;
   std::set<Key> keys;
@@ -62,7 +62,7 @@ TYPED_TEST(Difference, theBlocksThatDifferHoldAllCornersThatDo) {
     for (std::int32_t j = -30; j <= 30; ++j) {
       const Key corner{i, j, (i + j) % 20};
       if (before.value(corner) == after.value(corner)) continue;
-      EXPECT_TRUE(keys.contains(BlockGeometry<kSide>::blockOf(corner))) << i << " " << j;
+      EXPECT_TRUE(keys.contains(BlockGeometry<side>::blockOf(corner))) << i << " " << j;
     }
 }
 
