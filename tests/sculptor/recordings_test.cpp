@@ -6,6 +6,7 @@
 
 #include "bozzetto/mesh/check.hpp"
 #include "bozzetto/sculptor/replay.hpp"
+#include "bozzetto/surface/statistics.hpp"
 #include "bozzetto/surface/welded.hpp"
 
 namespace bozzetto {
@@ -51,6 +52,14 @@ TEST(Recordings, SolidsReplayToSoundClaySlow) {
     ++count;
   }
   EXPECT_EQ(count, 7);
+}
+
+TEST(Recordings, SlowClayThatIsPulledNecksAndParts) {
+  const ReplayResult result = replay(readRecording(kRecordings / "clay" / "neck.jsonl"), {});
+  expectSound(result.field, "neck");
+  Surface<8> surface;
+  surface.rebuild(result.field);
+  EXPECT_EQ(statistics(surface, result.field).components, 2u);
 }
 
 class Sculptures : public ::testing::TestWithParam<const char*> {};

@@ -137,12 +137,12 @@ def folds():
 def neck():
     """A dumbbell pulled until it necks and parts."""
     s = Session()
-    s.solid("capsule", [0, 0, 0], [7, 40, 7], rotation=quarter((0, 0, 1), 90))
-    for x in (-36, 36):
+    s.solid("capsule", [0, 0, 0], [3, 24, 3], rotation=quarter((0, 0, 1), 90))
+    for x in (-22, 22):
         s.solid("ellipsoid", [x, 0, 0], [13, 13, 13])
-    s.hold([-60, -20, -20], [-28, 20, 20])
+    s.hold([-60, -20, -20], [-11, 20, 20])
     s.clay(stiffness=1, parting=4)
-    s.move("grip", "ellipsoid", [17, 17, 17], [[36, 0, 0], [170, 0, 0]])
+    s.move("grip", "ellipsoid", [20, 20, 20], [[22, 0, 0], [130, 0, 0]])
     return s
 
 
@@ -245,10 +245,9 @@ def cup():
     for _ in range(6):
         s.add("stroke", points=[[0, 26, 0]])
     s.add("action", name="swell", strength=1)
-    s.add("tool", shape="ellipsoid", radii=[4, 4, 9])
-    for depth in (25, 26, 27):
-        for points in ([[-9, 38], [9, 38]], [[0, 44], [0, 12]], [[-10, 26], [10, 26]],
-                       [[-8, 13], [8, 13]]):
+    s.add("tool", shape="ellipsoid", radii=[3, 3, 9])
+    for depth in range(25, 31):
+        for points in ([[-11, 28], [11, 28]], [[0, 43], [0, 13]]):
             s.add("stroke", points=[[x, y, depth] for x, y in points])
     return s
 
