@@ -15,7 +15,9 @@ Polyline lineOf(std::vector<glm::dvec3> points, Ink colour, float width) {
   return line;
 }
 
-constexpr Ink kLattice{.373f, .722f, .788f, .9f}, kWires{.09f, .11f, .14f, .38f};
+constexpr Ink kLattice{.373f, .722f, .788f, .9f};
+constexpr Ink kAround{.373f, .722f, .788f, .35f};  // of a wrap: the clay is what one looks at
+constexpr Ink kWires{.09f, .11f, .14f, .38f};
 constexpr Ink kChosen{.941f, .541f, .365f, 1}, kFaint{.941f, .541f, .365f, .45f};
 constexpr Ink kForce{.98f, .86f, .42f, 1};
 
@@ -39,9 +41,10 @@ void Atelier::addSolid(Overlays& overlays) const {
     }
   }
   if (solid.lattice) {
+    const Ink ink = solidShown_->solid->isWrap() ? kAround : kLattice;
     for (const auto& [a, b] : topology.edges)
       overlays.lines.push_back(
-          lineOf({control.points[a] / spacing, control.points[b] / spacing}, kLattice, 1.3f));
+          lineOf({control.points[a] / spacing, control.points[b] / spacing}, ink, 1.3f));
     for (const auto& [a, b] : control.sharpEdges)
       overlays.lines.push_back(
           lineOf({control.points[a] / spacing, control.points[b] / spacing}, kChosen, 2.2f));

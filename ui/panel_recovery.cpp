@@ -50,7 +50,8 @@ void aboutRecovered(const Atelier& atelier) {
   ImGui::PushFont(fonts().display);
   paragraph(name, tint::strong);
   ImGui::PopFont();
-  paragraph(stepsText(findings.unsavedSteps) + " that were not saved came back.");
+  const char* were = findings.unsavedSteps == 1 ? " that was" : " that were";
+  paragraph(stepsText(findings.unsavedSteps) + were + " not saved came back.");
   if (findings.time > 0) paragraph("Last worked on " + timeText(findings.time), tint::dim);
   paragraph("Whatever you choose, nothing is lost: both states stay in the history.", tint::dim);
 }
