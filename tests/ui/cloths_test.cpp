@@ -22,7 +22,7 @@ TEST(HeightSwitch, waitsBothWays) {
   EXPECT_FALSE(view.wantsCloths());
 }
 
-TEST(ClayDesk, clothsComeAndGoWithAStroke) {
+TEST(ClayDesk, SlowClothsComeAndGoWithAStroke) {
   ClayDesk desk;
   desk.setHeightSwitch(HeightSwitch(0, 0));
   desk.startNew(NewClay::ball);
