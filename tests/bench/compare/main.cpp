@@ -1,5 +1,5 @@
 // bench_compare: runs our benchmarks and their peers turn by turn, and says which aims are met.
-//   --rounds N       how often every program runs that has a peer (default 3); others run once
+//   --rounds N       how often every program runs that has a peer (default 1); others run once
 //   --repeats N      repetitions inside a run (default 1)
 //   --only TEXT      contests whose program of ours contains TEXT
 //   --threads N      1 or 2 only
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   fs::path folder;  ///< where the programs are
-  int rounds = 3;
+  int rounds = 1;
   int repeats = 1;
   std::string only;
   int threads = 0;  ///< 0 = both
@@ -48,13 +48,13 @@ Options parseOptions(int count, char** arguments) {
 }
 
 void runOurs(const Options& options, const std::string& program, int threads, Measurements& to) {
-  // A row is a whole stroke of 50 dabs or a whole body: once is enough, rounds do the rest.
+  // A row is a whole stroke of 50 dabs or a whole body: few are enough, once memory was touched.
   // Benchmarks that do not name their threads run with the first lot.
   const std::string filter = threads == 1 ? "-threads:2" : "threads:2";
-  const auto output = outputOf(
-      options.folder / program,
-      {"--benchmark_format=json", "--benchmark_filter=" + filter, "--benchmark_min_time=0.005",
-       "--benchmark_repetitions=" + std::to_string(options.repeats)});
+  const auto output = outputOf(options.folder / program,
+                               {"--benchmark_format=json", "--benchmark_filter=" + filter,
+                                "--benchmark_min_time=0.02", "--benchmark_min_warmup_time=0.001",
+                                "--benchmark_repetitions=" + std::to_string(options.repeats)});
   if (output && !output->empty()) to.addBenchmarks(*output);
 }
 
