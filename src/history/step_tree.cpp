@@ -99,7 +99,8 @@ void StepTree::moveTo(StepNumber state) {
 }
 
 void StepTree::aimAt(StepNumber tip) {
-  StepNumber state = has(tip) ? tip : place_;
+  if (!has(tip)) tip = place_;
+  StepNumber state = tip;
   while (state > place_) state = find(state)->parent;
   if (state == place_) {
     for (StepNumber child = tip; child > place_; child = find(child)->parent) {

@@ -152,5 +152,19 @@ TEST(History, SlowTenThousandStrokesComeBackBitForBit) {
   }
 }
 
+TEST(StepTree, aTipWhoseFileIsLostIsNoTip) {
+  StepTree tree;
+  for (StepNumber number = 1; number < 4; ++number) {
+    Step step;
+    step.number = number;
+    step.parent = number - 1;
+    tree.add(step);
+  }
+  tree.moveTo(1);
+  tree.aimAt(9);
+  EXPECT_EQ(tree.tip(), 3u);
+  EXPECT_EQ(tree.validate(), std::nullopt);
+}
+
 }  // namespace
 }  // namespace bozzetto
