@@ -206,7 +206,7 @@ void Interface::build() {
   const PanelContext context{*atelier_, layout_, pictures, figures};
   drawViewportMarks(context);
   atelier_->lightsOpen = false;  // whoever draws their section says so
-  if (atelier_->panelsShown && !atelier_->fullScreen) {
+  if (layout_.panels) {
     drawTopBar(context);
     drawToolColumn(context);
     drawShelf(context);

@@ -11,6 +11,8 @@ Layout layoutFor(glm::dvec2 window, double scale, bool panels, Drawer drawer) {
   Layout layout;
   layout.viewport = {{0, 0}, window};
   if (!panels) return layout;
+  layout.panels = true;
+  layout.shelf = drawer;
   const double top = size(44), bottom = h - size(28), left = size(60);
   const double shelf = drawer == Drawer::open ? left + size(236) : left;
   // A narrow window keeps some clay in sight.

@@ -14,12 +14,15 @@ struct Rect {
   }
 };
 
-struct Layout {
-  Rect topBar, tools, drawer, properties, status, viewport;
-};
-
 /// Whether the shelf stands beside the tools.
 enum class Drawer { closed, open };
+
+/// What a frame draws is what it laid out: a key pressed in between counts in the next one.
+struct Layout {
+  bool panels = false;
+  Drawer shelf = Drawer::closed;
+  Rect topBar, tools, drawer, properties, status, viewport;
+};
 
 /// Panels of whole pixels around what is left for the clay; without panels all of it is.
 Layout layoutFor(glm::dvec2 window, double scale, bool panels, Drawer drawer = Drawer::closed);

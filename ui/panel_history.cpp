@@ -14,7 +14,7 @@ bool arrow(Atelier& atelier, Command command, ImVec2 centre) {
   const float r = px(15);
   ImGui::SetCursorScreenPos({centre.x - r, centre.y - r});
   ImGui::PushID(int(command));
-  const bool clicked = ImGui::InvisibleButton("arrow", {2 * r, 2 * r});
+  const bool clicked = hotArea("arrow", {2 * r, 2 * r});
   const bool possible = atelier.isPossible(command);
   const unsigned colour = !possible ? tint::faint : ImGui::IsItemHovered() ? 0xFFFFFF : tint::text;
   drawTurn(ImGui::GetWindowDrawList(), centre, command == Command::undo ? Turn::undo : Turn::redo,
@@ -31,7 +31,7 @@ void treeButton(Atelier& atelier, ImVec2 centre) {
   list->AddLine({centre.x - r - px(5), centre.y - px(18)},
                 {centre.x - r - px(5), centre.y + px(18)}, ink(0xFFFFFF, .08f));
   ImGui::SetCursorScreenPos({centre.x - r, centre.y - r});
-  if (ImGui::InvisibleButton("tree", {2 * r, 2 * r})) atelier.run(Command::history);
+  if (hotArea("tree", {2 * r, 2 * r})) atelier.run(Command::history);
   const bool lit = ImGui::IsItemHovered() || atelier.historyShown;
   tooltip(atelier.keymap, Command::history);
   drawTree(list, centre, ink(atelier.historyShown ? tint::accent : lit ? 0xFFFFFF : tint::text));
@@ -46,7 +46,7 @@ void stepCard(const PanelContext& context, std::size_t n, ImVec2 low, ImVec2 siz
   ImDrawList* list = ImGui::GetWindowDrawList();
   ImGui::SetCursorScreenPos(low);
   ImGui::PushID(int(n));
-  if (ImGui::InvisibleButton("step", size)) atelier.goTo(step.number);
+  if (hotArea("step", size)) atelier.goTo(step.number);
   const bool hovered = ImGui::IsItemHovered();
   tooltip(fmt::format("{}. {}", step.number, step.title));
   ImGui::PopID();
@@ -86,7 +86,7 @@ ImTextureID pictureOf(const PanelContext& context, StepNumber step) {
 void drawHistoryStrip(const PanelContext& context) {
   Atelier& atelier = context.atelier;
   const HistoryView& history = *atelier.status().history;
-  if (history.line.empty() || !atelier.panelsShown || atelier.fullScreen) return;
+  if (history.line.empty() || !context.layout.panels) return;
   const Rect& at = context.layout.viewport;
   const float cardW = px(58), cardH = px(46), gap = px(6), pad = px(8), arrows = px(43),
               tree = px(34);

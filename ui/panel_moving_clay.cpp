@@ -46,7 +46,7 @@ bool runs(const clay::Settings& settings, LayerKind layer) {
 bool earlier(ImVec2 centre) {
   const float r = px(9);
   ImGui::SetCursorScreenPos({centre.x - r, centre.y - r});
-  const bool clicked = ImGui::InvisibleButton("earlier", {2 * r, 2 * r});
+  const bool clicked = hotArea("earlier", {2 * r, 2 * r});
   const ImU32 colour = ink(ImGui::IsItemHovered() ? tint::text : tint::faint);
   tooltip("Runs earlier.");
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -199,7 +199,7 @@ void supportLine(Atelier& atelier, std::size_t n, const clay::Support& support) 
   tooltip("Choose it, then drag its knob in the view, or delete it.");
   ImGui::SameLine();
   ImGui::SetCursorScreenPos({at.x + width - px(22), at.y});
-  if (ImGui::InvisibleButton("drop", {px(20), px(20)})) atelier.dropSupport(n);
+  if (hotArea("drop", {px(20), px(20)})) atelier.dropSupport(n);
   tooltip("Takes it away.");
   const ImVec2 middle{at.x + width - px(12), at.y + px(9)};
   const ImU32 colour = ink(ImGui::IsItemHovered() ? tint::text : tint::faint);

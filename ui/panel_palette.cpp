@@ -14,7 +14,7 @@ void tools(Atelier& atelier) {
     const ToolRow& row = rowOf(cell.action);
     if (n++ % 6 != 0) ImGui::SameLine();
     ImGui::PushID(int(row.action));
-    if (ImGui::InvisibleButton("tool", {side, side})) {
+    if (hotArea("tool", {side, side})) {
       atelier.setTool(row.action);
       atelier.paletteOpen = false;
     }

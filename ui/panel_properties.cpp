@@ -85,7 +85,7 @@ void falloff(SculptState& sculpt) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const std::string name = sculpt.profile == Profile::wyvill ? "Soft" : "Firm";
-  if (ImGui::InvisibleButton("falloff", {width, px(19)})) {
+  if (hotArea("falloff", {width, px(19)})) {
     sculpt.profile = sculpt.profile == Profile::wyvill ? Profile::box : Profile::wyvill;
   }
   tooltip("How the tool fades from its middle to its limit. Click for the other.");

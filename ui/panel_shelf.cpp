@@ -70,7 +70,7 @@ std::string tipOf(const ToolEntry& entry) {
 
 void toolCard(const PanelContext& context, const ShelfCard& card, float side) {
   Atelier& atelier = context.atelier;
-  if (ImGui::InvisibleButton("tool", {side, side + px(18)})) atelier.takeTool(card.entry);
+  if (hotArea("tool", {side, side + px(18)})) atelier.takeTool(card.entry);
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high{low.x + side, low.y + side};
   const bool hovered = ImGui::IsItemHovered(), chosen = isInHand(atelier, card.entry);
@@ -255,7 +255,7 @@ void heading(Atelier& atelier) {
   const float width = ImGui::GetContentRegionAvail().x;
   drawText(list, fonts().display, at, ink(0xF4F4F5), "Shelf");
   ImGui::SetCursorScreenPos({at.x + width - px(20), at.y});
-  if (ImGui::InvisibleButton("close", {px(22), px(22)})) atelier.run(Command::shelf);
+  if (hotArea("close", {px(22), px(22)})) atelier.run(Command::shelf);
   const ImU32 colour = ink(ImGui::IsItemHovered() ? tint::text : tint::faint);
   tooltip(atelier.keymap, Command::shelf);
   const ImVec2 middle{at.x + width - px(9), at.y + px(11)};
@@ -270,7 +270,7 @@ void heading(Atelier& atelier) {
 void drawShelf(const PanelContext& context) {
   Atelier& atelier = context.atelier;
   ShelfDrawer& drawer = atelier.shelf;
-  if (!drawer.open) return;
+  if (context.layout.shelf == Drawer::closed) return;
   const Rect& at = context.layout.drawer;
   ImGui::SetNextWindowPos({float(at.low.x), float(at.low.y)});
   ImGui::SetNextWindowSize({float(at.width()), float(at.height())});

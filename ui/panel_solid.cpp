@@ -223,7 +223,7 @@ void toolCell(Atelier& atelier, const SolidToolRow& row, ImVec2 at) {
   const Command command = Command(int(Command::solidMove) + int(row.tool));
   ImGui::SetCursorScreenPos(at);
   ImGui::PushID(int(row.tool));
-  if (ImGui::InvisibleButton("tool", {side, side})) atelier.run(command);
+  if (hotArea("tool", {side, side})) atelier.run(command);
   const bool hovered = ImGui::IsItemHovered(), chosen = atelier.solid.tool == row.tool;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 high{at.x + side, at.y + side};

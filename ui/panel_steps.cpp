@@ -101,7 +101,7 @@ bool rowButton(const char* id, ImVec2 centre, const char* tip,
                void (*draw)(ImDrawList*, ImVec2, ImU32)) {
   const float r = px(13);
   ImGui::SetCursorScreenPos({centre.x - r, centre.y - r});
-  const bool clicked = ImGui::InvisibleButton(id, {2 * r, 2 * r});
+  const bool clicked = hotArea(id, {2 * r, 2 * r});
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (hovered) list->AddCircleFilled(centre, r, ink(0xFFFFFF, .10f), 24);
@@ -149,7 +149,7 @@ void drawRow(const Panel& panel, ImDrawList* list, const StepLine& step) {
   ImGui::PushID(int(step.number));
   ImGui::SetCursorScreenPos({left, top});
   const bool here = panel.history.place == step.number;
-  if (ImGui::InvisibleButton("row", {right - left, px(kRowHeight)})) atelier.goTo(step.number);
+  if (hotArea("row", {right - left, px(kRowHeight)})) atelier.goTo(step.number);
   ImGui::SetItemAllowOverlap();
   const bool hovered =
       ImGui::IsMouseHoveringRect({panel.origin.x, top}, {right, top + px(kRowHeight)}) &&
@@ -184,7 +184,7 @@ void drawRoot(const Panel& panel, ImDrawList* list) {
   const float top = panel.origin.y + px(kRowHeight) * float(panel.tree.row.at(panel.history.root));
   const float left = panel.origin.x + px(16) + px(kLaneWidth) * float(panel.tree.lanes);
   ImGui::SetCursorScreenPos({left, top});
-  if (ImGui::InvisibleButton("root", {panel.origin.x + panel.width - left, px(kRowHeight)})) {
+  if (hotArea("root", {panel.origin.x + panel.width - left, px(kRowHeight)})) {
     panel.context.atelier.goTo(panel.history.root);
   }
   const bool here = panel.history.place == panel.history.root;
@@ -269,7 +269,7 @@ void drawRecall(Atelier& atelier) {
 void drawHistoryPanel(const PanelContext& context) {
   Atelier& atelier = context.atelier;
   if (!atelier.comparison) atelier.peek(false);
-  if (!atelier.historyShown || !atelier.panelsShown || atelier.fullScreen) return;
+  if (!atelier.historyShown || !context.layout.panels) return;
   const Rect& at = context.layout.viewport;
   const float width = px(288), top = float(at.low.y) + px(112);
   const float steps = px(kRowHeight) * float(atelier.status().history->steps.size() + 1);

@@ -31,7 +31,7 @@ void toolCell(Atelier& atelier, const ToolCell& cell, float left, float top) {
   const float side = toolPx(44);
   ImGui::SetCursorScreenPos({left, top});
   ImGui::PushID(int(cell.action));
-  if (ImGui::InvisibleButton("tool", {side, side})) atelier.setTool(cell.action);
+  if (hotArea("tool", {side, side})) atelier.setTool(cell.action);
   const bool hovered = ImGui::IsItemHovered();
   const bool chosen = atelier.sculpt.action == cell.action && !atelier.sculpt.recall;
   // What a held key makes of the tool lights up too.
@@ -54,7 +54,7 @@ void toolCell(Atelier& atelier, const ToolCell& cell, float left, float top) {
 void shelfCell(Atelier& atelier, float left, float top) {
   const float side = toolPx(44);
   ImGui::SetCursorScreenPos({left, top});
-  if (ImGui::InvisibleButton("shelf", {side, side})) atelier.run(Command::shelf);
+  if (hotArea("shelf", {side, side})) atelier.run(Command::shelf);
   const bool lit = ImGui::IsItemHovered() || atelier.shelf.open;
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (lit) list->AddRectFilled({left, top}, {left + side, top + side}, ink(tint::hover), px(9));
@@ -66,7 +66,7 @@ void shelfCell(Atelier& atelier, float left, float top) {
 void modeCell(Atelier& atelier, float left, float top) {
   const float side = toolPx(44);
   ImGui::SetCursorScreenPos({left, top});
-  if (ImGui::InvisibleButton("mode", {side, side})) atelier.run(Command::solidMode);
+  if (hotArea("mode", {side, side})) atelier.run(Command::solidMode);
   const bool lit = ImGui::IsItemHovered() || atelier.mode() == WorkMode::solid;
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (lit) list->AddRectFilled({left, top}, {left + side, top + side}, ink(tint::hover), px(9));
@@ -85,7 +85,7 @@ void colourBalls(Atelier& atelier, const Rect& at) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float x = float(at.centre().x), y = float(at.high.y) - px(32);
   ImGui::SetCursorScreenPos({x - px(19), y - px(19)});
-  if (ImGui::InvisibleButton("colours", {px(42), px(42)})) atelier.run(Command::swapColours);
+  if (hotArea("colours", {px(42), px(42)})) atelier.run(Command::swapColours);
   tooltip(atelier.keymap, Command::swapColours);
   list->AddCircleFilled({x, y}, px(17), ink(atelier.sculpt.colour), 40);
   list->AddCircle({x, y}, px(19.5f), ink(0xFFFFFF, .22f), 40, px(1.5f));

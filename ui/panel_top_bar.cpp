@@ -89,7 +89,7 @@ float speedPill(const PanelContext& context, float right, float middle) {
   const float width = textWidth(fonts().medium, text) + px(38);
   const ImVec2 at{right - width, middle - px(13)};
   ImGui::SetCursorScreenPos(at);
-  ImGui::InvisibleButton("speed", {width, px(26)});
+  hotArea("speed", {width, px(26)});
   tooltip(fmt::format("The last frame took {:.1f} ms. Quality step {} of 4, chosen by itself.", ms,
                       int(quality)));
   list->AddRectFilled(at, {right, at.y + px(26)}, ink(tint::raised), px(13));
@@ -116,7 +116,7 @@ float mirrorPill(Atelier& atelier, float right, float middle) {
   const float width = textWidth(fonts().medium, text) + px(44);
   const ImVec2 at{right - width, middle - px(13)};
   ImGui::SetCursorScreenPos(at);
-  if (ImGui::InvisibleButton("mirror", {width, px(26)})) atelier.run(Command::mirrorX);
+  if (hotArea("mirror", {width, px(26)})) atelier.run(Command::mirrorX);
   const bool hovered = ImGui::IsItemHovered();
   tooltip(atelier.keymap, Command::mirrorX);
   list->AddRectFilled(

@@ -21,7 +21,7 @@ bool slide(const char* label, float& value, const Slide& how, const char* tip) {
 
 bool lookCard(const LookCard& card, ImTextureID ball, ImVec2 size, bool chosen) {
   ImGui::PushID(card.name);
-  const bool clicked = ImGui::InvisibleButton("card", size);
+  const bool clicked = hotArea("card", size);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList* list = ImGui::GetWindowDrawList();

@@ -97,7 +97,7 @@ bool isShown(const LookCard& card, const Look& look) {
 void drawViewportMarks(const PanelContext& context) {
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   const Rect& at = context.layout.viewport;
-  if (context.atelier.panelsShown) {
+  if (context.layout.panels) {
     shades(list, at);
     seams(context.layout);
   }
@@ -126,7 +126,7 @@ void drawAxisBall(const PanelContext& context) {
     const ImVec2 tip{centre.x + float(end.at.x) * reach, centre.y + float(end.at.y) * reach};
     ImGui::SetCursorScreenPos({tip.x - px(9), tip.y - px(9)});
     ImGui::PushID(end.axis * 2 + int(end.positive));
-    if (ImGui::InvisibleButton("end", {px(18), px(18)})) {
+    if (hotArea("end", {px(18), px(18)})) {
       const Camera seen = lookingFrom(end, camera);
       atelier.lookFrom(seen.yaw, seen.pitch);
     }

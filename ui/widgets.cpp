@@ -50,36 +50,52 @@ bool dragged(double& value, const Slide& slide, float left, float width) {
   return value != before;
 }
 
-bool typed(ImGuiID id, const ImRect& box, const char* label, double& value, const Slide& slide) {
+// The knob's area and the field that stands in for it are one item.
+constexpr const char* kSlider = "##slider";
+
+bool typed(const ImRect& box, double& value, const Slide& slide) {
+  const ImGuiID id = ImGui::GetID(kSlider);
   double number = value * slide.typed;
   const std::string format = fmt::format("%.{}f", slide.digits);
-  if (!ImGui::TempInputScalar(box, id, label, ImGuiDataType_Double, &number, format.c_str())) {
+  if (!ImGui::TempInputScalar(box, id, kSlider, ImGuiDataType_Double, &number, format.c_str())) {
     return false;
   }
   value = std::clamp(number / slide.typed, slide.low, slide.high);
   return true;
 }
 
+// A click that the field takes too: ImGui ends the program over any other.
+bool wantsTyping(ImGuiID id, const ImRect& box) {
+  const ImGuiIO& io = ImGui::GetIO();
+  return io.KeyCtrl && ImGui::IsMouseClicked(0) && box.Contains(io.MousePos) &&
+         ImGui::GetCurrentContext()->HoveredId == id;
+}
+
 }  // namespace
+
+bool hotArea(const char* id, ImVec2 size) {
+  return ImGui::InvisibleButton(id, {std::max(size.x, 1.f), std::max(size.y, 1.f)});
+}
 
 bool slider(const char* label, double& value, const Slide& slide, const char* tip) {
   ImGui::PushID(label);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = row();
-  const ImGuiID id = ImGui::GetID("slider");
+  const ImGuiID id = ImGui::GetID(kSlider);
+  const ImRect box(at, {at.x + width, at.y + px(29)});
   bool changed = false;
   if (ImGui::TempInputIsActive(id)) {
-    changed = typed(id, ImRect(at, {at.x + width, at.y + px(29)}), label, value, slide);
+    changed = typed(box, value, slide);
     ImGui::PopID();
     return changed;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8), px(8)});
-  ImGui::InvisibleButton("slider", {width, px(33)});
+  hotArea(kSlider, {width, px(33)});
   ImGui::PopStyleVar();
   const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
-  if (ImGui::IsItemActivated() && ImGui::GetIO().KeyCtrl) {
-    changed = typed(id, ImRect(at, {at.x + width, at.y + px(29)}), label, value, slide);
+  if (wantsTyping(id, box)) {
+    changed = typed(box, value, slide);
   } else {
     changed = dragged(value, slide, at.x, width);
   }
@@ -107,7 +123,7 @@ bool toggle(const char* label, bool& on, const char* tip) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = row();
-  const bool clicked = ImGui::InvisibleButton(label, {width, px(19)});
+  const bool clicked = hotArea(label, {width, px(19)});
   if (clicked) on = !on;
   drawText(list, fonts().regular, at, ink(tint::text, .92f), label);
   const ImVec2 box{at.x + width - px(28), at.y + px(1)};
@@ -133,7 +149,7 @@ bool section(const char* title, bool openAtFirst) {
                 ink(0xFFFFFF, .055f));
   ImGui::Dummy({1, px(5)});
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (ImGui::InvisibleButton(title, {width, px(19)})) {
+  if (hotArea(title, {width, px(19)})) {
     open = !open;
     storage->SetBool(id, open);
   }
@@ -158,7 +174,7 @@ int perRow(std::initializer_list<Choice> names, float width) {
 // True when it was chosen.
 bool choiceCell(const Choice& choice, bool on, ImVec2 size, const char* tip) {
   const bool possible = *choice.whyNot == 0;
-  const bool clicked = ImGui::InvisibleButton("cell", size) && possible;
+  const bool clicked = hotArea("cell", size) && possible;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const bool hovered = possible && ImGui::IsItemHovered();
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -221,7 +237,7 @@ namespace {
 bool crossButton(ImVec2 middle) {
   const float r = px(12), d = px(5);
   ImGui::SetCursorScreenPos({middle.x - r, middle.y - r});
-  const bool clicked = ImGui::InvisibleButton("close", {2 * r, 2 * r});
+  const bool clicked = hotArea("close", {2 * r, 2 * r});
   const ImU32 colour = ink(ImGui::IsItemHovered() ? tint::text : tint::faint);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddLine({middle.x - d, middle.y - d}, {middle.x + d, middle.y + d}, colour, px(1.5f));
@@ -252,7 +268,7 @@ bool beginModal(const char* title, ImVec2 size, bool* open) {
 }
 
 bool swatch(const char* id, Colour colour, float side, bool chosen) {
-  const bool clicked = ImGui::InvisibleButton(id, {side, side});
+  const bool clicked = hotArea(id, {side, side});
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(low, high, ink(colour), px(6));

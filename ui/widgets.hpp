@@ -19,6 +19,10 @@ struct Slide {
   bool pen = false;  ///< pressure drives it
 };
 
+/// A place that can be clicked, drawn by whoever asks. At least a pixel wide and high: ImGui ends
+/// the program over one that is not, and a low window leaves nothing for some.
+bool hotArea(const char* id, ImVec2 size);
+
 /// Label left, value right, a track below; Ctrl+click types a number. True while it changes.
 bool slider(const char* label, double& value, const Slide& slide, const char* tip);
 

@@ -122,6 +122,14 @@ TEST(Layout, TestsWriteIntoFoldersOfTheirOwn) {
   });
 }
 
+// ImGui ends the program over an area without size.
+TEST(Layout, PanelsAskForAreasThatHaveSomeSize) {
+  forEachLine([](const TextFile& file, const std::string& line, const std::string& where) {
+    if (file.part(0) != "ui" || file.path == "ui/widgets.cpp") return;
+    EXPECT_EQ(line.find("InvisibleButton"), std::string::npos) << where << ": hotArea()";
+  });
+}
+
 // Split so that this file does not break its own rule.
 TEST(Layout, NothingNamesOneMachine) {
   const std::string forbidden[] = {std::string("/wo") + "rk/", std::string("/ho") + "me/",

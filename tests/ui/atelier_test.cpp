@@ -269,6 +269,40 @@ TEST_F(Null, everyCommandCanBeRun) {
   }
 }
 
+TEST_F(Null, panelsComeBackWithAKey) {
+  for (const Command command : {Command::panels, Command::fullScreen}) {
+    for (int n = 0; n < 4; ++n) {
+      const bool before = interface_.layout().panels;
+      for (const Chord& chord : chordsOf(rowOf(command).blender)) tap(chord.key);
+      settle();
+      EXPECT_NE(interface_.layout().panels, before);
+    }
+  }
+}
+
+TEST_F(Null, windowsOfAnySizeAreDrawn) {
+  atelier_.run(Command::shelf);
+  atelier_.run(Command::history);
+  for (const glm::dvec2 size :
+       {glm::dvec2{0, 0}, {1, 1}, {60, 40}, {320, 73}, {73, 900}, {8000, 90}}) {
+    size_ = size;
+    settle();
+  }
+}
+
+TEST_F(Null, ctrlClickTypesANumberIntoASlider) {
+  const Rect at = interface_.layout().properties;
+  for (double y = at.low.y + 100; y < at.high.y - 40 && atelier_.sculpt.size != 17.5; y += 12) {
+    post(KeyChanged{KeyCode::leftControl, true, false});
+    click({at.centre().x, y});
+    post(KeyChanged{KeyCode::leftControl, false, false});
+    type("17.5");
+    tap(KeyCode::enter);
+    settle();
+  }
+  EXPECT_DOUBLE_EQ(atelier_.sculpt.size, 17.5);
+}
+
 TEST_F(Null, theFileDialogWorksByKeyboard) {
   const testing::Folder folder;
   atelier_.settings.folder = folder.path().string();

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # The real window under Xvfb, driven like a person would: tests/window/window_test.sh PROGRAM
-#   [SECONDS of random input, 60]
+#   [SECONDS of random input, 60] [SEED of it, 7]
 # Prints a line per check; the last one counts them. Pictures stay in build/window.
 set -uo pipefail
 program=$(readlink -f "$1")
 seconds=${2:-60}
+seed=${3:-7}
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 out="$root/build/window"
 passed=0 failed=0
@@ -65,7 +66,11 @@ closeWindow() {
   done
   return 1
 }
-alive() { kill -0 "$window_pid" 2>/dev/null; }
+alive() {
+  kill -0 "$window_pid" 2>/dev/null && return 0
+  cat "$out/program.log"
+  return 1
+}
 
 # How many colours a part of the screen has.
 colours() { import -window root -crop "$1" -format %k info: 2>/dev/null || echo 0; }
@@ -258,7 +263,7 @@ randomInput() {
     bracketright KP_End KP_Next KP_Begin KP_Home Home shift+f ctrl+f F1 ctrl+o ctrl+s e shift+x
     F3 F2 Return F11 Escape)
   local end=$((SECONDS + seconds))
-  RANDOM=7
+  RANDOM=$seed
   while ((SECONDS < end)) && alive; do
     case $((RANDOM % 4)) in
       0) xdotool key "${keys[RANDOM % ${#keys[@]}]}" ;;
