@@ -8,6 +8,7 @@
 namespace bozzetto::ui {
 namespace {
 
+constexpr double kSettingsSeconds = 1;  // between two looks at what settings became
 constexpr double kMessageSeconds = 6;
 
 CellBounds inWorld(const CellBounds& cells, double spacing) {
@@ -17,7 +18,7 @@ CellBounds inWorld(const CellBounds& cells, double spacing) {
 }  // namespace
 
 Atelier::Atelier(const Options& given) : configFolder_(given.configFolder), worker_(given.wake) {
-  if (!configFolder_.empty()) settings = readSettings(configFolder_);
+  if (!configFolder_.empty()) settings = settingsKept_ = readSettings(configFolder_);
   keymap.setProfile(settings.profile);
   keymap.setChanges(settings.keys);
   sculpt.pressureStrength = settings.pressureStrength;
@@ -34,13 +35,18 @@ Atelier::Atelier(const Options& given) : configFolder_(given.configFolder), work
   }
 }
 
-Atelier::~Atelier() {
+Atelier::~Atelier() { keepSettings(); }
+
+// Written when they changed, so that a crash takes none of them.
+void Atelier::keepSettings() {
   settings.profile = keymap.profile();
   settings.keys = keymap.changes();
   settings.pressureStrength = sculpt.pressureStrength;
   settings.pressureSize = sculpt.pressureSize;
   settings.pressureGamma = sculpt.curve.gamma;
   settings.pressureLeast = sculpt.curve.least;
+  if (settings == settingsKept_) return;
+  settingsKept_ = settings;
   try {
     writeSettings(configFolder_, settings);
   } catch (const Error&) {
@@ -55,6 +61,10 @@ void Atelier::setViewport(glm::dvec2 corner, const Extent& extent, double scale)
 }
 
 Publication Atelier::poll() {
+  if (now_ > settingsKeptAt_ + kSettingsSeconds && gesture_ == Gesture::none) {
+    settingsKeptAt_ = now_;
+    keepSettings();
+  }
   Publication fresh = worker_.take();
   if (fresh.cleared) patches_.clear();
   for (const auto& [key, patch] : fresh.fine) patches_.put(key, patch);
@@ -129,7 +139,8 @@ void Atelier::opened(OpenedDocument document) {
   airPoint_.reset();
   heldTool_.reset();
   views_ = {};
-  takeLights(parts.view);
+  movingReference.reset();
+  takeLights(parts);
   options.boxSize = parts.view.workspace;
   if (parts.view.camera.distance > 0) {
     view = viewOf(parts.view.camera);

@@ -35,6 +35,7 @@ enum class Gesture {
   lightHandle,  ///< one
   pickColour,
   boxHandle,
+  reference,
   support,
   lasso,
   solid
@@ -223,7 +224,8 @@ class Atelier {
   Keymap keymap;
   Moves mouseMoves = Moves::scene, puckMoves = Moves::scene;
   Dialog dialog = Dialog::none;
-  std::optional<Command> rebinding;  ///< the next key becomes this command's
+  std::optional<std::size_t> movingReference;  ///< by dragging in the viewport
+  std::optional<Command> rebinding;            ///< the next key becomes this command's
   bool justRebound = false;
   std::optional<double> wantedSpacing;  ///< of the resampling that is being chosen
   ShelfDrawer shelf;
@@ -291,10 +293,12 @@ class Atelier {
   void findLight();
   void dragLight(glm::dvec2 to);
   void watchLights();
-  void takeLights(const View& kept);
+  void takeLights(const SceneParts& parts);
   std::vector<Light> keptLights() const;
   void changeSight(bool (ViewHistory::*how)(Sight&));
   void dragBox(glm::dvec2 by);
+  void dragReference(glm::dvec2 to);
+  void wheelReference(double notches, Modifiers with);
   std::optional<BoxOutline> boxOutline() const;
   void updateHover();
   void movedView(const ViewState& before);
@@ -307,6 +311,8 @@ class Atelier {
   void leaveDocument();
   void whenDone(std::shared_ptr<LongJob> job, std::function<void()> then);
   void startNew(NewClay kind, const std::filesystem::path& path = {});
+  void takeHold(Moves what);
+  void keepSettings();
   bool runFile(Command command);
   bool runStroke(Command command);
   void runView(Command command);
@@ -364,7 +370,8 @@ class Atelier {
   std::optional<std::size_t> supportAt(glm::dvec2 pixel) const;
   void dragSupport(glm::dvec2 to);
   void addSupports(Overlays& overlays) const;
-  ToolGhost bodyOf(const ToolShape& tool, const glm::dvec3& at, double part = 1) const;
+  ToolGhost bodyOf(const ToolShape& tool, const glm::dvec3& at, double part = 1,
+                   ToolDisplay display = ToolDisplay::transparent) const;
   ToolGhost primitiveGhost(const ToolShape& tool, const GroundHit& ground) const;
   ToolGhost sculptureGhost(const ToolShape& tool, const GroundHit& ground) const;
   void addRings(Overlays& overlays) const;
@@ -415,6 +422,8 @@ class Atelier {
   OpenedDocument document_;
   std::vector<LeftDocument> left_;
   std::filesystem::path configFolder_;
+  Settings settingsKept_;
+  double settingsKeptAt_ = 0;
   bool closing_ = false, framed_ = false, sized_ = false;
   std::vector<Message> messages_;
   bool discarding_ = false;  // the user said so; done when the document is left

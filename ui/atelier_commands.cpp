@@ -196,15 +196,20 @@ void Atelier::run(Command command) {
     return;
   }
   if (isMoves(command)) {
-    mouseMoves = puckMoves = movesOf(command);
-    if (mouseMoves == Moves::tool) mouseMoves = Moves::scene;
-    if (puckMoves != Moves::tool) heldTool_.reset();
-    return;
+    const bool leaves = command == Command::moveLight && mouseMoves == Moves::light;
+    return takeHold(leaves ? Moves::scene : movesOf(command));
   }
   if (!runFile(command) && !runStroke(command) && !runClay(command) && !runSolid(command) &&
       !runParts(command)) {
     runView(command);
   }
+}
+
+// The tool is the puck's; the mouse keeps the scene then.
+void Atelier::takeHold(Moves what) {
+  mouseMoves = what == Moves::tool ? Moves::scene : what;
+  puckMoves = what;
+  if (what != Moves::tool) heldTool_.reset();
 }
 
 bool Atelier::runFile(Command command) {

@@ -5,6 +5,7 @@
 #include "bozzetto/render/picture.hpp"
 #include "bozzetto/render/png.hpp"
 #include "ui/atelier.hpp"
+#include "ui/kept_look.hpp"
 
 namespace bozzetto::ui {
 namespace {
@@ -85,6 +86,7 @@ SceneParts Atelier::parts() const {
   parts.view.camera = sceneCameraOf(view);
   parts.view.lights = keptLights();
   parts.view.workspace = options.boxSize;
+  parts.settings[kLookSetting] = lookText(options);
   if (thumbnail) parts.thumbnail = thumbnail();
   return parts;
 }
@@ -187,19 +189,20 @@ void Atelier::takePicture(const PictureWish& wish) {
            [this, wish] { say(Message::Kind::note, "Saved " + wish.path.filename().string()); });
 }
 
-// Facing the viewer behind the target, half as high as the view.
+// Facing the viewer behind the target, nearly as high as the view.
 void Atelier::addReference(const fs::path& path) {
   dialog = Dialog::none;
   try {
-    ReferencePicture picture;
+    Reference reference;
+    reference.from = fs::absolute(path).string();
+    ReferencePicture& picture = reference.picture;
     picture.image = std::make_shared<const Image>(readPng(path));
-    const double spacing = status_.scale.spacing;
-    const double half = unitsPerPixel(view, extent_, view.target) * extent_.height / 4 / spacing;
+    const double half = unitsPerPixel(view, extent_, view.target) * extent_.height * .45;
     const double aspect = double(picture.image->width) / picture.image->height;
-    picture.centre = view.target / spacing;
+    picture.centre = view.target;
     picture.right = view.right() * (half * aspect);
     picture.up = view.up() * half;
-    options.references.push_back(picture);
+    options.references.push_back(std::move(reference));
   } catch (const Error& error) {
     say(Message::Kind::error, error.what());
   }

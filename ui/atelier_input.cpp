@@ -47,6 +47,7 @@ Gesture Atelier::gestureFor(Button button, Modifiers with) const {
     if (with.shift) return Gesture::pan;
     return with.ctrl ? Gesture::zoom : Gesture::orbit;
   }
+  if (button == Button::left && movingReference) return Gesture::reference;
   if (button == Button::left && lightHandle_) return Gesture::lightHandle;
   if (button == Button::left && lassoNext_) return Gesture::lasso;
   if (button == Button::left && boxHandle_) return Gesture::boxHandle;
@@ -126,6 +127,9 @@ void Atelier::dragTo(glm::dvec2 to) {
     case Gesture::support:
       dragSupport(to);
       return;
+    case Gesture::reference:
+      dragReference(to);
+      return;
     case Gesture::solid:
       dragSolid(to);
       return;
@@ -173,6 +177,7 @@ void Atelier::scaleSize(double factor) {
 
 void Atelier::wheel(double notches, Modifiers with) {
   touch();
+  if (movingReference && (with.ctrl || with.shift)) return wheelReference(notches, with);
   if (with.ctrl) return moveToolDepth(notches);
   if (with.shift) return scaleSize(std::pow(1.1, notches));
   const ViewState before = view;
@@ -200,6 +205,8 @@ bool Atelier::key(const Chord& chord, bool repeated) {
     if (gesture_ == Gesture::pickColour || gestureByKey_) gesture_ = Gesture::none;
     gestureByKey_ = false;
     paletteOpen = false;
+    movingReference.reset();
+    if (mouseMoves == Moves::light) takeHold(Moves::scene);
     return true;
   }
   if (gestureByKey_ && chord.key == KeyCode::enter) {
@@ -238,6 +245,25 @@ void Atelier::dragBox(glm::dvec2 by) {
   side += step[axis] * glm::dot(by, way) / square;
   side = high ? std::max(side, box.low[axis] + spacing) : std::min(side, box.high[axis] - spacing);
   options.boxSize = box;
+}
+
+// In its plane before the viewer.
+void Atelier::dragReference(glm::dvec2 to) {
+  if (!movingReference || *movingReference >= options.references.size()) return;
+  glm::dvec3& centre = options.references[*movingReference].picture.centre;
+  centre += onFacingPlane(view, rayThrough(view, extent_, to), centre) -
+            onFacingPlane(view, rayThrough(view, extent_, pointer_), centre);
+}
+
+// With Shift larger and smaller, with Ctrl nearer and farther.
+void Atelier::wheelReference(double notches, Modifiers with) {
+  if (*movingReference >= options.references.size()) return;
+  ReferencePicture& picture = options.references[*movingReference].picture;
+  const double factor = std::pow(1.1, notches);
+  if (with.ctrl) picture.centre -= view.back() * (notches * .1 * glm::length(picture.up));
+  if (with.ctrl) return;
+  picture.right *= factor;
+  picture.up *= factor;
 }
 
 void Atelier::pickColour() {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "ui/atelier.hpp"
+#include "ui/kept_look.hpp"
 
 namespace bozzetto::ui {
 namespace {
@@ -107,9 +108,11 @@ void Atelier::changeSight(bool (ViewHistory::*how)(Sight&)) {
   updateHover();
 }
 
-// A document without lights of its own has those that its environment is made with.
-void Atelier::takeLights(const View& kept) {
+// A document without lights of its own has those that its environment is made with. What this
+// window kept says more than the plain lights that everybody reads.
+void Atelier::takeLights(const SceneParts& parts) {
   Studio& studio = options.look.studio;
+  const View& kept = parts.view;
   studio.lights = Studio(studio.environment).lights;
   studio.turn = 0;
   if (!kept.lights.empty()) studio.lights.clear();
@@ -119,6 +122,8 @@ void Atelier::takeLights(const View& kept) {
         studioLight({light.towards, light.colour, light.intensity, light.softness}));
     if (light.castsShadow) std::swap(studio.lights.front(), studio.lights.back());
   }
+  const auto look = parts.settings.find(kLookSetting);
+  if (look != parts.settings.end()) takeLook(look->second, options);
   studioSeen_ = studio;
 }
 

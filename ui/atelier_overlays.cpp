@@ -27,16 +27,17 @@ Ink inkFor(ActionKind action, Colour colour) {
   }
 }
 
-std::shared_ptr<const ToolMesh> meshFor(Shape shape, const glm::dvec3& radii) {
+std::shared_ptr<const ToolMesh> meshFor(Shape shape, const glm::dvec3& radii, ToolDisplay display) {
+  const Rounding rounding = display == ToolDisplay::wire ? Rounding::wires : Rounding::smooth;
   switch (shape) {
     case Shape::box:
       return unitMesh(UnitShape::box);
     case Shape::cylinder:
-      return unitMesh(UnitShape::cylinder);
+      return unitMesh(UnitShape::cylinder, rounding);
     case Shape::capsule:
-      return capsuleMesh(glm::vec3(radii));
+      return capsuleMesh(glm::vec3(radii), rounding);
     default:
-      return unitMesh(UnitShape::ball);
+      return unitMesh(UnitShape::ball, rounding);
   }
 }
 
@@ -61,7 +62,8 @@ Overlays Atelier::overlays() const {
   addSolid(overlays);
   if (mode_ == WorkMode::solid) return overlays;
   const bool busy = gesture_ == Gesture::orbit || gesture_ == Gesture::pan ||
-                    gesture_ == Gesture::zoom || gesture_ == Gesture::light || lightHandle_;
+                    gesture_ == Gesture::zoom || gesture_ == Gesture::light || lightHandle_ ||
+                    movingReference;
   const bool held = heldTool_ && puckMoves == Moves::tool;
   if ((hover_.inside && !busy && dialog == Dialog::none) || held) {
     if (options.ring) addRings(overlays);
@@ -119,11 +121,13 @@ void Atelier::addTool(Overlays& overlays) const {
 }
 
 // A primitive tool as something to draw, `part` of its radii large; `at` in cells.
-ToolGhost Atelier::bodyOf(const ToolShape& tool, const glm::dvec3& at, double part) const {
+ToolGhost Atelier::bodyOf(const ToolShape& tool, const glm::dvec3& at, double part,
+                          ToolDisplay display) const {
   const glm::dvec3 radii = tool.radii * (part / status_.scale.spacing);
   const glm::dmat3 turn = glm::mat3_cast(normalisedRotation(tool.rotation));
   ToolGhost ghost;
-  ghost.mesh = meshFor(tool.shape, radii);
+  ghost.display = display;
+  ghost.mesh = meshFor(tool.shape, radii, display);
   ghost.cellsFromTool = placed(at, turn, tool.shape == Shape::capsule ? glm::dvec3(1) : radii);
   return ghost;
 }
@@ -132,7 +136,7 @@ ToolGhost Atelier::primitiveGhost(const ToolShape& tool, const GroundHit& ground
   ToolShape standing = tool;
   standing.rotation = sculpt.standing(tool, ground.normal);
   const glm::dvec3 at = ground.position / status_.scale.spacing;
-  ToolGhost ghost = bodyOf(standing, at, coreOf(sculpt));
+  ToolGhost ghost = bodyOf(standing, at, coreOf(sculpt), options.tool);
   if (!options.limit) return ghost;
   const ToolGhost limit = bodyOf(standing, at);
   ghost.limit = limit.mesh;
@@ -175,7 +179,13 @@ void Atelier::addStage(Overlays& overlays) const {
     line.closed = true;
     overlays.lines.push_back(std::move(line));
   }
-  overlays.pictures = options.references;
+  for (const Reference& reference : options.references) {
+    overlays.pictures.push_back(reference.picture);
+    ReferencePicture& picture = overlays.pictures.back();
+    for (glm::dvec3* place : {&picture.centre, &picture.right, &picture.up}) {
+      *place /= status_.scale.spacing;
+    }
+  }
   overlays.box = boxOutline();
 }
 

@@ -111,13 +111,15 @@ struct Canvas::Impl {
   Renderer renderer;
   std::unique_ptr<Viewport> viewport;
   std::vector<GLuint> textures;
+  std::vector<GLuint> dying;  // this frame's panels may show them still
   Publication waiting;
   std::shared_ptr<const SolidShown> solid;  // whose surface is uploaded
   int fontsVersion = 0;
 
   void makeBalls();
   void takeFonts();
-  static void forget(ImTextureID& texture);
+  void forget(ImTextureID& texture);
+  void deleteForgotten();
   void takePictures(const Publication& fresh);
   void forgetSteps();
   GLuint draw(const Shot& shot, Image* copy);
@@ -167,7 +169,12 @@ void Canvas::Impl::takeFonts() {
 
 void Canvas::Impl::forget(ImTextureID& texture) {
   const GLuint name = GLuint(reinterpret_cast<std::uintptr_t>(std::exchange(texture, nullptr)));
-  if (name != 0) glDeleteTextures(1, &name);
+  if (name != 0) dying.push_back(name);
+}
+
+void Canvas::Impl::deleteForgotten() {
+  glDeleteTextures(GLsizei(dying.size()), dying.data());
+  dying.clear();
 }
 
 // Pictures that came from the disk.
@@ -264,8 +271,8 @@ void Canvas::Impl::uploadTools() {
   std::erase_if(pictures, [&](const auto& entry) {
     const auto same = [&](const ShelfCard& card) { return card.pictureId == entry.first; };
     if (std::ranges::any_of(cards, same)) return false;
-    const GLuint name = GLuint(reinterpret_cast<std::uintptr_t>(entry.second));
-    glDeleteTextures(1, &name);
+    ImTextureID texture = entry.second;
+    forget(texture);
     return true;
   });
   for (const ShelfCard& card : cards) {
@@ -373,6 +380,7 @@ bool Canvas::draw(Publication fresh, glm::dvec2 size) {
   c.interface->figures.uploadedPatches = patches;
   glViewport(0, 0, int(size.x), int(size.y));
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  c.deleteForgotten();
   return report.settled && !hasUploads();
 }
 

@@ -147,6 +147,7 @@ void ClayDesk::import(const ImportOperation& operation, Progress& progress, Leav
 void ClayDesk::give(const SceneParts& parts) {
   session_->parts.view = parts.view;
   session_->parts.thumbnail = parts.thumbnail;
+  for (const auto& [name, value] : parts.settings) session_->parts.settings[name] = value;
 }
 
 void ClayDesk::save(const fs::path& path, const SceneParts& parts) {

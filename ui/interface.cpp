@@ -194,8 +194,12 @@ Publication Interface::frame(glm::dvec2 size, double now) {
   atelier_->setViewport(at.low, {at.width(), at.height()}, scale);
   Publication fresh = atelier_->poll();
   feed();
-  const bool byKeyboard = atelier_->dialog != Dialog::none;
-  io.ConfigFlags = byKeyboard ? ImGuiConfigFlags_NavEnableKeyboard : 0;
+  // Dialogs and open menus are gone through with arrows, Enter and Escape; else keys are the
+  // clay's.
+  io.ConfigFlags = panelsHaveKeys() ? ImGuiConfigFlags_NavEnableKeyboard : 0;
+  // ImGui 1.86 knows only Space for that.
+  const bool enter = io.KeysDown[int(KeyCode::enter)] || io.KeysDown[int(KeyCode::numpadEnter)];
+  io.NavInputs[ImGuiNavInput_Activate] = enter && io.ConfigFlags != 0 ? 1.f : 0.f;
   ImGui::NewFrame();
   build();
   ImGui::Render();

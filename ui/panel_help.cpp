@@ -85,6 +85,9 @@ void drawHelp(const PanelContext& context) {
   }
   ImGui::EndChild();
   if (button("All keys as they were", {px(200), 0})) atelier.keymap.resetToDefaults();
+  ImGui::SameLine(0, px(16));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("Click a key to change it.");
   ImGui::SameLine(ImGui::GetWindowWidth() - px(134));
   const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)) &&
                       !atelier.rebinding && !atelier.justRebound;

@@ -71,16 +71,13 @@ void recoveredDialog(const PanelContext& context) {
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   bool goOn = button("Go on with it", size, ButtonKind::accent,
                      "As it was after the last step. Save when you like.");
-  bool back = false, onBack = false;
+  bool back = false;
   if (canGoBack) {
     ImGui::SameLine();
     back = button("Back to the saved file", size, ButtonKind::plain,
                   "A step like any other: the history leads back here.");
-    onBack = ImGui::IsItemFocused();
   }
-  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
-  if (pressed(ImGuiKey_Enter)) (onBack ? back : goOn) = true;
-  goOn |= pressed(ImGuiKey_Escape);
+  goOn |= ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (goOn || back) {
     ImGui::CloseCurrentPopup();
     atelier.answerRecovered(back);

@@ -46,6 +46,8 @@ std::vector<Hint> draggingHints(Gesture gesture) {
       return {{"", {}, "Let go to do it"}, {"Esc", {}, "As before"}};
     case Gesture::support:
       return {{"", {}, "Moving the support"}};
+    case Gesture::reference:
+      return {{"", {}, "Moving the picture"}};
     case Gesture::lightHandle:
     case Gesture::light:
       return {{"", {}, "Turning the light"}};
@@ -89,6 +91,12 @@ std::vector<Hint> restingHints(const Atelier& atelier) {
   const bool blender = atelier.keymap.profile() == KeyProfile::blender;
   const Modifiers held = atelier.held();
   std::vector<Hint> hints;
+  if (atelier.movingReference) {
+    return {{"", MousePart::left, "Move the picture"},
+            {"Shift", MousePart::wheel, "Size"},
+            {"Ctrl", MousePart::wheel, "Nearer, farther"},
+            {"Esc", {}, "Leave it there"}};
+  }
   if (atelier.mode() == WorkMode::solid) return solidHints(atelier);
   if (atelier.drawsLasso())
     return {{"", MousePart::left, "Draw round the part"}, {"Esc", {}, "Never mind"}};

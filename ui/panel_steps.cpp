@@ -14,6 +14,7 @@ namespace bozzetto::ui {
 namespace {
 
 constexpr float kRowHeight = 54, kLaneWidth = 13;
+constexpr float kBelow = 90;  // the strip of steps and its margins
 constexpr int kMostLanes = 6;
 
 // Where each state of the tree stands: row 0 is the newest step, the last one the root.
@@ -275,7 +276,7 @@ void drawHistoryPanel(const PanelContext& context) {
   const float steps = px(kRowHeight) * float(atelier.status().history->steps.size() + 1);
   const float footer =
       (atelier.comparison ? px(222) : 0.f) + (atelier.sculpt.recall ? px(38) : 0.f);
-  const float room = float(at.high.y) - px(14) - top;
+  const float room = float(at.high.y) - px(kBelow) - top;
   const float wanted = px(62) + steps + footer;
   ImGui::SetNextWindowPos({float(at.high.x) - width - px(14), top});
   ImGui::SetNextWindowSize({width, std::min(wanted, room)});

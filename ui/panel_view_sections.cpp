@@ -256,8 +256,13 @@ void viewSection(Atelier& atelier) {
 void referenceSection(Atelier& atelier) {
   auto& references = atelier.options.references;
   for (std::size_t n = 0; n < references.size(); ++n) {
-    ReferencePicture& picture = references[n];
+    ReferencePicture& picture = references[n].picture;
     ImGui::PushID(int(n));
+    ImGui::TextUnformatted(std::filesystem::path(references[n].from).filename().c_str());
+    bool moves = atelier.movingReference == n;
+    if (toggle("Move it", moves, "Drag it in the view; Shift+wheel: size, Ctrl+wheel: depth.")) {
+      atelier.movingReference = moves ? std::optional(n) : std::nullopt;
+    }
     slide("Opacity", picture.opacity, {0.05, 1, "%", 100, 0}, "How much of it is seen.");
     toggle("Behind the clay", picture.behind, "Or over everything.");
     double grown = 1;
@@ -267,6 +272,7 @@ void referenceSection(Atelier& atelier) {
     }
     const bool gone = button("Remove", {ImGui::GetContentRegionAvail().x, 0});
     ImGui::PopID();
+    if (gone) atelier.movingReference.reset();
     if (gone) references.erase(references.begin() + std::ptrdiff_t(n--));
   }
   if (button("Add a picture…", {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::plain,

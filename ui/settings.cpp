@@ -2,36 +2,18 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/base/file.hpp"
+#include "ui/lenient_json.hpp"
 
 namespace bozzetto::ui {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostRecent = 12;
 constexpr std::size_t kLargestFile = 1 << 20;
-
-template <class T>
-void take(const Json& json, const char* name, T& value) {
-  const auto found = json.find(name);
-  if (found == json.end()) return;
-  try {
-    value = found->get<T>();
-  } catch (const Json::exception&) {
-    // Left at its default.
-  }
-}
-
-void takeWithin(const Json& json, const char* name, double low, double high, double& value) {
-  double read = value;
-  take(json, name, read);
-  if (read >= low && read <= high) value = read;
-}
 
 }  // namespace
 
@@ -78,10 +60,10 @@ Settings parseSettings(const std::string& text) {
   take(json, "recent", settings.recent);
   if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);
   take(json, "folder", settings.folder);
-  takeWithin(json, "scale", 0.5, 4, settings.scale);
-  takeWithin(json, "puck_speed", 0.1, 10, settings.puckSpeed);
-  takeWithin(json, "pressure_gamma", 0.1, 10, settings.pressureGamma);
-  takeWithin(json, "pressure_least", 0, 1, settings.pressureLeast);
+  takeWithin(json, "scale", 0.5, 4.0, settings.scale);
+  takeWithin(json, "puck_speed", 0.1, 10.0, settings.puckSpeed);
+  takeWithin(json, "pressure_gamma", 0.1, 10.0, settings.pressureGamma);
+  takeWithin(json, "pressure_least", 0.0, 1.0, settings.pressureLeast);
   take(json, "pressure_strength", settings.pressureStrength);
   take(json, "pressure_size", settings.pressureSize);
   return settings;

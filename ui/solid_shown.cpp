@@ -126,10 +126,26 @@ std::vector<std::array<glm::dvec3, 2>> wiresOf(const Lattice& refined, const Ski
   return wires;
 }
 
-// The level of the physics, whose points the maps colour; smoother where nothing is mapped.
+// What takes no part is dark: a point by the part of the cells around it that are trimmed.
+void darkenTrimmed(const SolidMatter& matter, const Lattice& refined,
+                   std::vector<Colour>& colours) {
+  constexpr Colour dark{0x2A, 0x2D, 0x33};
+  if (matter.trimmed.size() != refined.cells.size()) return;
+  const Topology topology(refined);
+  for (Id point = 0; point < colours.size(); ++point) {
+    const auto around = topology.pointCells[point];
+    double out = 0;
+    for (const Id cell : around) out += matter.trimmed[cell] != 0;
+    if (out > 0) colours[point] = between(colours[point], dark, .8 * out / double(around.size()));
+  }
+}
+
+// The level of the physics, whose points maps colour and whose cells are trimmed; smoother where
+// there is neither.
 int levelsFor(const Solid& solid, SolidMap map) {
   int levels = solid.settings.levels;
-  if (map == SolidMap::none && refinedCellCount(solid.control, levels + 1) <= kMostCells) ++levels;
+  const bool plain = map == SolidMap::none && solid.matter.trimmed.empty();
+  if (plain && refinedCellCount(solid.control, levels + 1) <= kMostCells) ++levels;
   while (levels > 0 && refinedCellCount(solid.control, levels) > kMostCells) --levels;
   return levels;
 }
@@ -160,6 +176,7 @@ std::shared_ptr<const SolidShown> shownSolid(std::shared_ptr<const Solid> solid,
                                                          : Tint::strain;
     skin.colours = coloursOf(tinted(*solid, tint), *shown);
   }
+  if (asPhysics) darkenTrimmed(solid->matter, refined, skin.colours);
   shown->mass =
       asPhysics ? skin.surface : surfaceOf(refine(control, solid->settings.levels).lattice);
   // In a wrap the clay is to be seen, unless something is mapped.

@@ -1,5 +1,8 @@
 // How the clay is shown: values the view panels change.
 #pragma once
+#include <string>
+
+#include "bozzetto/render/ladder.hpp"
 #include "bozzetto/render/look.hpp"
 #include "bozzetto/render/overlays.hpp"
 #include "bozzetto/render/stereo.hpp"
@@ -7,6 +10,12 @@
 #include "bozzetto/scene/view.hpp"
 
 namespace bozzetto::ui {
+
+/// Places in world units.
+struct Reference {
+  ReferencePicture picture;
+  std::string from;  ///< the file
+};
 
 struct ViewOptions {
   Look look;
@@ -18,7 +27,7 @@ struct ViewOptions {
   bool grid = false;
   std::optional<Quality> quality;  ///< none: as the frames' times say
 
-  std::vector<ReferencePicture> references;
+  std::vector<Reference> references;
 
   bool box = false;
   std::optional<WorkspaceBox> boxSize;  ///< none: around the clay

@@ -12,7 +12,9 @@ namespace {
 
 using glm::vec3;
 
-constexpr int kSides = 48;
+int sidesOf(Rounding rounding) { return rounding == Rounding::smooth ? 48 : 12; }
+// Rings of a quarter turn.
+int stepsOf(Rounding rounding) { return rounding == Rounding::smooth ? 14 : 3; }
 
 // A surface of revolution about y: rings from the top down, each with its own normals.
 struct Ring {
@@ -20,20 +22,21 @@ struct Ring {
   float outwards, upwards;  // normal
 };
 
-std::shared_ptr<const ToolMesh> turned(const std::vector<Ring>& rings) {
+std::shared_ptr<const ToolMesh> turned(const std::vector<Ring>& rings, Rounding rounding) {
+  const int sides = sidesOf(rounding);
   auto mesh = std::make_shared<ToolMesh>();
   for (const Ring& ring : rings) {
-    for (int n = 0; n <= kSides; ++n) {
-      const float angle = 2 * std::numbers::pi_v<float> * float(n % kSides) / kSides;
+    for (int n = 0; n <= sides; ++n) {
+      const float angle = 2 * std::numbers::pi_v<float> * float(n % sides) / float(sides);
       const float s = std::sin(angle), c = std::cos(angle);
       mesh->positions.emplace_back(ring.radius * s, ring.height, ring.radius * c);
       mesh->normals.push_back(
           glm::normalize(vec3(ring.outwards * s, ring.upwards, ring.outwards * c)));
     }
   }
-  constexpr std::uint32_t row = kSides + 1;
+  const auto row = std::uint32_t(sides) + 1;
   for (std::uint32_t r = 0; r + 1 < rings.size(); ++r) {
-    for (std::uint32_t n = 0; n < kSides; ++n) {
+    for (std::uint32_t n = 0; n + 1 < row; ++n) {
       const std::uint32_t a = r * row + n, b = a + row;
       for (const std::uint32_t v : {a, b, a + 1, a + 1, b, b + 1}) mesh->indices.push_back(v);
     }
@@ -42,26 +45,26 @@ std::shared_ptr<const ToolMesh> turned(const std::vector<Ring>& rings) {
 }
 
 // Half a ball's rings from one height of its axis to the other, moved by `shift`.
-void addArc(std::vector<Ring>& rings, glm::vec2 angles, vec3 radii, float shift) {
-  constexpr int kSteps = 14;
-  for (int n = 0; n <= kSteps; ++n) {
-    const float angle = glm::mix(angles.x, angles.y, float(n) / kSteps);
+void addArc(std::vector<Ring>& rings, glm::vec2 angles, vec3 radii, float shift, int steps) {
+  for (int n = 0; n <= steps; ++n) {
+    const float angle = glm::mix(angles.x, angles.y, float(n) / float(steps));
     const float s = std::max(std::sin(angle), 0.f), c = std::cos(angle);
     rings.push_back({radii.x * s, radii.y * c + shift, s / radii.x, c / radii.y});
   }
 }
 
-std::shared_ptr<const ToolMesh> ball() {
+std::shared_ptr<const ToolMesh> ball(Rounding rounding) {
   std::vector<Ring> rings;
   constexpr float half = std::numbers::pi_v<float> / 2;
-  addArc(rings, {0, half}, vec3(1), 0);
-  addArc(rings, {half, 2 * half}, vec3(1), 0);
-  return turned(rings);
+  addArc(rings, {0, half}, vec3(1), 0, stepsOf(rounding));
+  addArc(rings, {half, 2 * half}, vec3(1), 0, stepsOf(rounding));
+  return turned(rings, rounding);
 }
 
-std::shared_ptr<const ToolMesh> cylinder() {
+std::shared_ptr<const ToolMesh> cylinder(Rounding rounding) {
   return turned(
-      {{0, 1, 0, 1}, {1, 1, 0, 1}, {1, 1, 1, 0}, {1, -1, 1, 0}, {1, -1, 0, -1}, {0, -1, 0, -1}});
+      {{0, 1, 0, 1}, {1, 1, 0, 1}, {1, 1, 1, 0}, {1, -1, 1, 0}, {1, -1, 0, -1}, {0, -1, 0, -1}},
+      rounding);
 }
 
 std::shared_ptr<const ToolMesh> box() {
@@ -88,19 +91,21 @@ std::shared_ptr<const ToolMesh> box() {
 
 }  // namespace
 
-std::shared_ptr<const ToolMesh> unitMesh(UnitShape shape) {
-  static const std::shared_ptr<const ToolMesh> meshes[] = {ball(), box(), cylinder()};
-  return meshes[std::size_t(shape)];
+std::shared_ptr<const ToolMesh> unitMesh(UnitShape shape, Rounding rounding) {
+  using enum Rounding;
+  static const std::shared_ptr<const ToolMesh> meshes[][2] = {
+      {ball(smooth), ball(wires)}, {box(), box()}, {cylinder(smooth), cylinder(wires)}};
+  return meshes[std::size_t(shape)][std::size_t(rounding)];
 }
 
 // Half balls on a cylinder, the ends √(x·z) high, as the tool is.
-std::shared_ptr<const ToolMesh> capsuleMesh(const vec3& radii) {
+std::shared_ptr<const ToolMesh> capsuleMesh(const vec3& radii, Rounding rounding) {
   const float end = std::min(std::sqrt(radii.x * radii.z), radii.y), straight = radii.y - end;
   constexpr float half = std::numbers::pi_v<float> / 2;
   std::vector<Ring> rings;
-  addArc(rings, {0, half}, {radii.x, end, 0}, straight);
-  addArc(rings, {half, 2 * half}, {radii.x, end, 0}, -straight);
-  auto mesh = std::make_shared<ToolMesh>(*turned(rings));
+  addArc(rings, {0, half}, {radii.x, end, 0}, straight, stepsOf(rounding));
+  addArc(rings, {half, 2 * half}, {radii.x, end, 0}, -straight, stepsOf(rounding));
+  auto mesh = std::make_shared<ToolMesh>(*turned(rings, rounding));
   for (vec3& p : mesh->positions) p.z *= radii.z / radii.x;
   for (vec3& n : mesh->normals) n = glm::normalize(n * vec3(1, 1, radii.x / radii.z));
   return mesh;

@@ -184,8 +184,10 @@ TEST(Camera, OrientIsTheInverseOfAxes) {
 
 // Every triangle's normal points outwards, whatever the shape.
 TEST(ToolMeshes, AreWoundOutwards) {
-  for (const auto& mesh : {unitMesh(UnitShape::ball), unitMesh(UnitShape::box),
-                           unitMesh(UnitShape::cylinder), capsuleMesh({2, 5, 3})}) {
+  for (const auto& mesh :
+       {unitMesh(UnitShape::ball), unitMesh(UnitShape::box), unitMesh(UnitShape::cylinder),
+        capsuleMesh({2, 5, 3}), unitMesh(UnitShape::ball, Rounding::wires),
+        capsuleMesh({2, 5, 3}, Rounding::wires)}) {
     ASSERT_EQ(mesh->positions.size(), mesh->normals.size());
     for (std::size_t n = 0; n < mesh->indices.size(); n += 3) {
       const glm::vec3 a = mesh->positions[mesh->indices[n]];

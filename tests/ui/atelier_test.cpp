@@ -1,6 +1,7 @@
 // The window without a window: events in, clay out.
 #include <filesystem>
 
+#include "bozzetto/render/png.hpp"
 #include "ui/null_window.hpp"
 
 namespace bozzetto::ui {
@@ -317,6 +318,83 @@ TEST_F(Null, theFileDialogWorksByKeyboard) {
   settle();
   EXPECT_TRUE(fs::exists(folder / "by keys.bzt"));
   EXPECT_EQ(atelier_.dialog, Dialog::none);
+}
+
+TEST_F(Null, enterSavesWhatIsUnsaved) {
+  const testing::Folder folder;
+  atelier_.saveScene(folder / "a.bzt");
+  settle();
+  drag(middle(), middle() + glm::dvec2(60, 20));
+  post(CloseAsked{});
+  settle();
+  ASSERT_EQ(atelier_.dialog, Dialog::unsaved);
+  tap(KeyCode::enter);
+  settle();
+  EXPECT_EQ(atelier_.dialog, Dialog::none);
+  EXPECT_FALSE(atelier_.isModified());
+  EXPECT_TRUE(atelier_.wantsToClose());
+}
+
+TEST_F(Null, menusAreGoneThroughByKeys) {
+  const auto isOpen = [] {
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  };
+  const glm::dvec2 fileMenu{154, 22};
+  click(fileMenu);
+  ASSERT_TRUE(isOpen());
+  tap(KeyCode::escape);
+  settle();
+  EXPECT_FALSE(isOpen());
+  click(fileMenu);
+  tap(KeyCode::down);
+  tap(KeyCode::enter);  // a new block
+  settle();
+  EXPECT_FALSE(isOpen());
+  const glm::dvec3 size = atelier_.patches().bounds().high - atelier_.patches().bounds().low;
+  EXPECT_GT(atelier_.status().mass, 0.9 * size.x * size.y * size.z) << "it fills its box";
+}
+
+TEST_F(Null, referencesAreMovedAndKept) {
+  const testing::Folder folder;
+  writePng(folder / "ref.png", Image(8, 4));
+  atelier_.addReference(folder / "ref.png");
+  settle();
+  ASSERT_EQ(atelier_.overlays().pictures.size(), 1u);
+  const auto place = [&] {
+    const glm::dvec3 at = atelier_.options.references.at(0).picture.centre;
+    return pixelOf(atelier_.view, atelier_.extent(), at);
+  };
+  const glm::dvec2 from = place();
+  const std::size_t done = steps();
+  atelier_.movingReference = 0;
+  drag(middle(), middle() + glm::dvec2(120, -40));
+  EXPECT_LT(glm::distance(place(), from + glm::dvec2(120, -40)), 0.5);
+  EXPECT_EQ(steps(), done) << "no stroke";
+  const double high = glm::length(atelier_.options.references[0].picture.up);
+  atelier_.wheel(2, Modifiers{.shift = true});
+  EXPECT_NEAR(glm::length(atelier_.options.references[0].picture.up), high * 1.21, 1e-9 * high);
+  tap(KeyCode::escape);
+  settle();
+  EXPECT_FALSE(atelier_.movingReference);
+  const ReferencePicture moved = atelier_.options.references[0].picture;
+  atelier_.saveScene(folder / "a.bzt");
+  settle();
+  atelier_.options.references.clear();
+  atelier_.openScene(folder / "a.bzt");
+  settle();
+  ASSERT_EQ(atelier_.options.references.size(), 1u);
+  EXPECT_EQ(atelier_.options.references[0].picture.centre, moved.centre);
+  EXPECT_EQ(atelier_.options.references[0].picture.image->width, 8);
+}
+
+TEST_F(Null, wiresOfToolsCanBeToldApart) {
+  moveTo(middle());
+  settle();
+  const auto triangles = [&] { return atelier_.overlays().tools.at(0).mesh->indices.size() / 3; };
+  atelier_.options.tool = ToolDisplay::solid;
+  EXPECT_GT(triangles(), 2000u);
+  atelier_.options.tool = ToolDisplay::wire;
+  EXPECT_LT(triangles(), 200u);
 }
 
 TEST_F(Null, aMessageComesAndGoes) {

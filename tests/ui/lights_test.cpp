@@ -1,6 +1,7 @@
 // Lights in the hand: handles in the viewport, their undo, what the scene keeps of them.
 #include <glm/geometric.hpp>
 
+#include "ui/kept_look.hpp"
 #include "ui/null_window.hpp"
 
 namespace bozzetto::ui {
@@ -74,6 +75,19 @@ TEST_F(Lights, theViewsUndoTakesThemBack) {
   EXPECT_EQ(studio(), after);
 }
 
+TEST_F(Lights, theirKeyAndEscapeLetThemGo) {
+  for (const KeyCode key : {KeyCode::escape, KeyCode(int(KeyCode::f1) + 3)}) {
+    atelier_.run(Command::moveScene);
+    atelier_.run(Command::moveLight);
+    ASSERT_EQ(atelier_.mouseMoves, Moves::light);
+    tap(key);
+    settle();
+    EXPECT_EQ(atelier_.mouseMoves, Moves::scene);
+    EXPECT_EQ(atelier_.puckMoves, Moves::scene);
+    EXPECT_TRUE(atelier_.overlays().lights.empty());
+  }
+}
+
 TEST_F(Lights, theSceneKeepsThem) {
   testing::Folder folder;
   const std::filesystem::path path = folder / "lit.bzt";
@@ -88,9 +102,45 @@ TEST_F(Lights, theSceneKeepsThem) {
   ASSERT_EQ(studio().lights.size(), kept.lights.size());
   for (std::size_t n = 0; n < kept.lights.size(); ++n) {
     const StudioLight& light = studio().lights[n];
-    EXPECT_LT(glm::distance(light.towards, glm::normalize(kept.lights[n].towards)), 1e-5) << n;
+    EXPECT_LT(glm::distance(light.towards, kept.lights[n].towards), 1e-5) << n;
     EXPECT_LT(glm::distance(light.colour, kept.lights[n].colour), 0.03) << n;
   }
+}
+
+TEST_F(Lights, theSceneKeepsSoftBoxesAndWhatTheyAreFixedTo) {
+  testing::Folder folder;
+  const std::filesystem::path path = folder / "lit.bzt";
+  studio() = Studio(Environment::dusk);
+  studio().turn = 0.4f;
+  studio().lights[1].frame = LightFrame::scene;
+  studio().lights[0].box = {{.3f, .2f}, .15f, {4, 3, 2}};
+  atelier_.options.look.mode = Mode::glaze;
+  const Look kept = atelier_.options.look;
+  atelier_.saveScene(path);
+  settle();
+  studio() = Studio();
+  atelier_.options.look.mode = Mode::clay;
+  atelier_.openScene(path);
+  settle();
+  EXPECT_EQ(studio(), kept.studio);
+  EXPECT_EQ(atelier_.options.look.mode, kept.mode);
+}
+
+TEST(KeptLook, damageIsHarmless) {
+  ViewOptions options;
+  options.references.resize(1);
+  options.references[0].from = "/no/such/picture.png";
+  const std::string text = lookText(options);
+  for (std::size_t n = 0; n < text.size(); ++n) {
+    takeLook(text.substr(0, n), options);
+    takeLook(text.substr(0, n) + "9" + text.substr(n + 1), options);
+  }
+  takeLook(text, options);
+  EXPECT_EQ(options.look, Look{});
+  EXPECT_TRUE(options.references.empty());
+  takeLook(R"({"studio":{"turn":1e999,"lights":[3,{"towards":[0,0,0],"colour":[1]}]},"mode":7})",
+           options);
+  EXPECT_EQ(options.look.mode, Mode::clay);
 }
 
 }  // namespace

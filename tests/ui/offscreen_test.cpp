@@ -75,5 +75,14 @@ TEST_F(Drawn, sizeAndScaleChangeTogether) {
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
+// Panels of the frame in which a document goes still show the pictures of its steps.
+TEST_F(Drawn, picturesGoWithTheirDocument) {
+  rest();
+  ASSERT_FALSE(interface_.pictures.steps.empty());
+  atelier_.run(Command::newBlock);
+  EXPECT_NO_THROW(rest());
+  EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
 }  // namespace
 }  // namespace bozzetto::ui

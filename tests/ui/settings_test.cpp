@@ -5,6 +5,7 @@
 
 #include "support/folder.hpp"
 #include "ui/file_browser.hpp"
+#include "ui/null_window.hpp"
 
 namespace bozzetto::ui {
 namespace {
@@ -51,6 +52,16 @@ TEST(Settings, goToDiskAndBack) {
   EXPECT_EQ(readSettings(folder), Settings{});
   writeSettings(folder, some());
   EXPECT_EQ(readSettings(folder), some());
+}
+
+TEST(Settings, areKeptWhileTheWindowIsOpen) {
+  const StateFolder state;
+  const testing::Folder folder;
+  Atelier atelier(Atelier::Options{{}, folder.path(), [] {}, 8});
+  atelier.keymap.bind(Command::newBlock, chordsOf("F8"));
+  atelier.setTime(5);
+  atelier.poll();
+  EXPECT_EQ(readSettings(folder.path()).keys.at("new_block"), "F8");
 }
 
 TEST(FileBrowser, showsFoldersFirstAndWhatIsWanted) {

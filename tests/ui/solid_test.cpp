@@ -122,6 +122,19 @@ TEST_F(SolidMode, brushesAndRopeReplay) {
   EXPECT_TRUE(solidReplays());
 }
 
+TEST_F(SolidMode, whatIsTrimmedIsDark) {
+  const auto darkest = [&] {
+    int least = 255;
+    for (const UnpackedPatch& patch : shown().surface)
+      for (const Colour colour : patch.colours) least = std::min(least, int(colour.r));
+    return least;
+  };
+  const int before = darkest();
+  use(SolidTool::trim);
+  click(middle());
+  EXPECT_LT(darkest(), before - 40);
+}
+
 TEST_F(SolidMode, theRopeIsFelt) {
   use(SolidTool::rope);
   moveTo(middle());

@@ -40,9 +40,12 @@ struct ToolMesh {
 };
 /// Unit shapes: ball of radius 1, box of half side 1, cylinder of radius and half height 1 along y.
 enum class UnitShape { ball, box, cylinder };
-std::shared_ptr<const ToolMesh> unitMesh(UnitShape shape);
+/// Round for the eye, or so few triangles that their edges can be told apart.
+enum class Rounding { smooth, wires };
+std::shared_ptr<const ToolMesh> unitMesh(UnitShape shape, Rounding rounding = Rounding::smooth);
 /// Along y, so that radii keep their ends round: radii as a tool's, cells.
-std::shared_ptr<const ToolMesh> capsuleMesh(const glm::vec3& radii);
+std::shared_ptr<const ToolMesh> capsuleMesh(const glm::vec3& radii,
+                                            Rounding rounding = Rounding::smooth);
 
 enum class ToolDisplay { hidden, solid, transparent, wire };
 struct ToolGhost {
