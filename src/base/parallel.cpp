@@ -22,7 +22,11 @@ using Body = FunctionRef<void(std::size_t, std::size_t)>;
 
 std::atomic<int> requestedThreads{0};
 
-int machineThreads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+// Asked once: it reads a file.
+int machineThreads() {
+  static const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return threads;
+}
 
 #ifdef BOZZETTO_WITH_TBB
 
