@@ -58,7 +58,7 @@ struct FileDialog {
   FileBrowser browser;
   std::string name;
   int chosen = -1;
-  bool askedToReplace = false, focusName = false;
+  bool askedToReplace = false, focusName = false, focusVerb = false;
   int cells = 192, frames = 36, width = 1920, height = 1080;
   double keep = 1;
 };
@@ -140,7 +140,7 @@ void accept(Atelier& atelier, FileDialog& state, const Purpose& purpose) {
     return;
   }
   if (writes && fs::exists(path, ignored) && path != atelier.path() && !state.askedToReplace) {
-    state.askedToReplace = true;
+    state.askedToReplace = state.focusVerb = true;
     return;
   }
   perform(atelier, state, path);
@@ -267,6 +267,7 @@ void fileDialog(Atelier& atelier, FileDialog& state, const Purpose& purpose) {
     state.chosen = state.name.empty() ? -1 : state.browser.find(state.name);
   }
   ImGui::SameLine();
+  if (std::exchange(state.focusVerb, false)) ImGui::SetKeyboardFocusHere();
   const char* verb = state.askedToReplace ? "Replace it" : purpose.verb;
   if (button(verb, {px(96), 0}, ButtonKind::accent)) accepted = true;
   ImGui::SameLine();

@@ -62,11 +62,29 @@ double worstBlock(const Image& a, const Image& b) {
 
 class Panels : public Offscreen {
  protected:
-  enum class What { window, properties };
+  enum class What { window, properties, viewport, middle, comparison };
 
   // One quality, however fast the machine is.
-  Panels() { atelier_.options.quality = Quality::light; }
+  explicit Panels(double radius = 48, glm::dvec2 size = {1280, 800}) : Offscreen(radius, size) {
+    atelier_.options.quality = Quality::light;
+  }
 
+  // Something to look at: a stroke across the ball, one into it.
+  void carve() {
+    for (const Command tool : {Command::toolAdd, Command::toolErase}) {
+      atelier_.run(tool);
+      const glm::dvec2 from = middle() + glm::dvec2(-90, tool == Command::toolAdd ? -60 : 70);
+      moveTo(from);
+      settle();
+      interface_.post(ButtonChanged{Button::left, true});
+      for (int step = 1; step <= 8; ++step) moveTo(from + glm::dvec2(16 * step, 5 * step));
+      interface_.post(ButtonChanged{Button::left, false});
+      settle();
+    }
+    atelier_.run(Command::toolAdd);
+    moveTo({2, 2});
+    settle();
+  }
   // Panels must not show how fast this machine is.
   void still() {
     settle();
@@ -81,12 +99,19 @@ class Panels : public Offscreen {
     atelier_.touch();
     frame();
   }
+  Image seen(const Image& whole, What what) {
+    const Layout& layout = interface_.layout();
+    if (what == What::window) return shrunk(whole, whole.width / 320);
+    if (what == What::properties) return shrunk(cropped(whole, layout.properties), 2);
+    if (what == What::viewport) return shrunk(cropped(whole, layout.viewport), 3);
+    if (what == What::middle) return cropped(whole, {middle() - 60., middle() + 60.});
+    const glm::dvec2 corner = layout.viewport.high;  // below the steps, whose times are now
+    return shrunk(cropped(whole, {corner - glm::dvec2(300, 290), corner}), 2);
+  }
   void expectAsItWas(const std::string& name, What what) {
     still();
     const Image whole = picture(name);
-    const bool all = what == What::window;
-    const Image now = all ? shrunk(whole, whole.width / 320)
-                          : shrunk(cropped(whole, interface_.layout().properties), 2);
+    const Image now = seen(whole, what);
     const std::string path = std::string(BOZZETTO_SOURCE_DIR) + "/tests/golden/ui/" + name + ".png";
     if (std::getenv("BOZZETTO_UPDATE_GOLDEN") != nullptr) writePng(path, now);
     const Image then = readPng(path);
@@ -235,6 +260,97 @@ TEST_F(Panels, dialogs) {
     atelier_.dialog = Dialog::none;
     settle();
   }
+}
+
+// Little clay in a small window: it is the viewport that is looked at.
+class Views : public Panels {
+ protected:
+  Views() : Panels(20, {900, 560}) {}
+};
+
+TEST_F(Views, looks) {
+  carve();
+  ViewOptions& options = atelier_.options;
+  const ViewOptions plain = options;
+  const auto expect = [&](const char* name) {
+    expectAsItWas(name, What::viewport);
+    options = plain;
+  };
+  for (const auto& [mode, name] :
+       std::initializer_list<std::pair<Mode, const char*>>{{Mode::glaze, "look_glaze"},
+                                                           {Mode::plastic, "look_plastic"},
+                                                           {Mode::metal, "look_metal"},
+                                                           {Mode::matcap, "look_matcap"}}) {
+    options.look.mode = mode;
+    expect(name);
+  }
+  options.look.edges = true;
+  expect("look_wireframe");
+  options.look.shading = Shading::flat;
+  expect("look_flat");
+  options.box = options.grid = true;
+  expect("look_box_and_grid");
+  atelier_.mouseMoves = Moves::light;
+  expect("look_light_handles");
+  atelier_.mouseMoves = Moves::scene;
+}
+
+TEST_F(Views, stereo) {
+  carve();
+  Stereo& stereo = atelier_.options.stereo;
+  for (const auto& [mode, name] : std::initializer_list<std::pair<StereoMode, const char*>>{
+           {StereoMode::sideBySide, "stereo_side_by_side"},
+           {StereoMode::rowInterlaced, "stereo_rows"},
+           {StereoMode::anaglyph, "stereo_anaglyph"}}) {
+    stereo.mode = mode;
+    stereo.eyeDistance = .06;
+    expectAsItWas(name, mode == StereoMode::rowInterlaced ? What::middle : What::viewport);
+  }
+}
+
+TEST_F(Views, dataStructure) {
+  atelier_.run(Command::newEmpty);
+  settle();
+  FillOperation ball;
+  ball.primitive.radii = glm::dvec3(7);
+  atelier_.apply(ball);
+  settle();
+  atelier_.frameAll();
+  for (const auto& [structure, name] : std::initializer_list<std::pair<Structure, const char*>>{
+           {Structure::cubes, "structure_all_cubes"},
+           {Structure::crossingCubes, "structure_crossing_cubes"}}) {
+    atelier_.showStructure(structure);
+    expectAsItWas(name, What::viewport);
+  }
+}
+
+TEST_F(Views, referencePicture) {
+  testing::Folder folder;
+  Image chart(64, 48);
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 64; ++x)
+      chart.at(x, y) = {std::uint8_t(4 * x), std::uint8_t(5 * y), std::uint8_t(x / 8 % 2 * 200),
+                        255};
+  writePng(folder / "chart.png", chart);
+  atelier_.addReference(folder / "chart.png");
+  settle();
+  expectAsItWas("reference", What::viewport);
+  resize({900, 1000});
+  settle();
+  expectSection("References", "section_references");
+}
+
+TEST_F(Views, historyWithComparison) {
+  carve();
+  const auto history = atelier_.status().history;
+  atelier_.goTo(history->steps.front().number);
+  settle();
+  carve();
+  atelier_.historyShown = true;
+  atelier_.compareWith(atelier_.status().history->steps[1].number);
+  still();
+  picture("history_comparison");                          // its times are now
+  expectAsItWas("history_comparison", What::comparison);  // above the strip, not under it
 }
 
 TEST_F(Panels, scales) {

@@ -1,6 +1,7 @@
 // The window without a window: events in, clay out.
 #include <filesystem>
 
+#include "bozzetto/base/file.hpp"
 #include "bozzetto/render/png.hpp"
 #include "ui/null_window.hpp"
 
@@ -318,6 +319,25 @@ TEST_F(Null, theFileDialogWorksByKeyboard) {
   settle();
   EXPECT_TRUE(fs::exists(folder / "by keys.bzt"));
   EXPECT_EQ(atelier_.dialog, Dialog::none);
+}
+
+TEST_F(Null, enterTwiceReplacesAFile) {
+  const testing::Folder folder;
+  writeFile(folder / "there.jsonl", Bytes(3));
+  atelier_.settings.folder = folder.path().string();
+  drag(middle(), middle() + glm::dvec2(60, 20));
+  tapCtrl(letter('R'));
+  settle();
+  tapCtrl(letter('A'));
+  type("there");
+  tap(KeyCode::enter);
+  settle();
+  EXPECT_EQ(atelier_.dialog, Dialog::record) << "asks";
+  EXPECT_EQ(fs::file_size(folder / "there.jsonl"), 3u);
+  tap(KeyCode::enter);
+  settle();
+  EXPECT_EQ(atelier_.dialog, Dialog::none);
+  EXPECT_GT(fs::file_size(folder / "there.jsonl"), 3u);
 }
 
 TEST_F(Null, enterSavesWhatIsUnsaved) {
