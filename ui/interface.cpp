@@ -100,6 +100,8 @@ bool Interface::feedButton(const ButtonChanged& event) {
 
 bool Interface::feedKey(const KeyChanged& event) {
   if (std::find(keysNow_.begin(), keysNow_.end(), event.key) != keysNow_.end()) return false;
+  // Fields see Ctrl with A, however fast it was let go.
+  if (isModifier(event.key) && !keysNow_.empty()) return false;
   ImGuiIO& io = ImGui::GetIO();
   const int code = int(event.key);
   if (code <= 0 || code > int(KeyCode::last)) return true;

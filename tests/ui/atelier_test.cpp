@@ -328,7 +328,13 @@ TEST_F(Null, enterTwiceReplacesAFile) {
   drag(middle(), middle() + glm::dvec2(60, 20));
   tapCtrl(letter('R'));
   settle();
-  tapCtrl(letter('A'));
+  type("elsewhere");
+  post(KeyChanged{KeyCode::leftControl, true, false});
+  settle();
+  post(KeyChanged{letter('A'), true, false});
+  post(KeyChanged{KeyCode::leftControl, false, false});  // before the next frame
+  post(KeyChanged{letter('A'), false, false});
+  settle();
   type("there");
   tap(KeyCode::enter);
   settle();
