@@ -156,6 +156,10 @@ void Atelier::frameAll() {
   for (const CellBounds& box : patches_.boxes()) {
     boxes.push_back(inWorld(box, status_.scale.spacing));
   }
+  if (mode_ == WorkMode::solid && solidShown_) {
+    CellBounds& lattice = boxes.emplace_back();
+    for (const glm::dvec3& point : solidShown_->control().points) lattice.add({point, point});
+  }
   if (boxes.empty()) {
     const double half = 48 * status_.scale.spacing;
     boxes.push_back({glm::dvec3(-half), glm::dvec3(half)});

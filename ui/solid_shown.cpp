@@ -136,7 +136,8 @@ void darkenTrimmed(const SolidMatter& matter, const Lattice& refined,
     const auto around = topology.pointCells[point];
     double out = 0;
     for (const Id cell : around) out += matter.trimmed[cell] != 0;
-    if (out > 0) colours[point] = between(colours[point], dark, .8 * out / double(around.size()));
+    if (out == 0) continue;
+    colours[point] = between(colours[point], dark, .4 + .5 * out / double(around.size()));
   }
 }
 

@@ -122,6 +122,15 @@ TEST_F(SolidMode, brushesAndRopeReplay) {
   EXPECT_TRUE(solidReplays());
 }
 
+TEST_F(SolidMode, homeShowsAllOfTheSolid) {
+  atelier_.view.distance /= 10;
+  atelier_.run(Command::frameAll);
+  for (const glm::dvec3& point : shown().control().points) {
+    const glm::dvec2 at = atelier_.corner() + pixelOf(atelier_.view, atelier_.extent(), point);
+    EXPECT_TRUE(interface_.layout().viewport.contains(at));
+  }
+}
+
 TEST_F(SolidMode, whatIsTrimmedIsDark) {
   const auto darkest = [&] {
     int least = 255;
