@@ -250,6 +250,8 @@ class Atelier {
   Held heldMeaning() const;
   ActionKind actionNow() const { return actionFor(sculpt.action, heldMeaning()); }
   const std::optional<HeldTool>& heldTool() const { return heldTool_; }
+  /// A stroke is drawn, and the clay still on its way along it.
+  bool followsStroke() const;
   const StrokeMaker* strokeMaker() const { return maker_ ? &*maker_ : nullptr; }
   const std::filesystem::path& path() const { return status_.keeping.path; }
   std::string title() const;

@@ -199,6 +199,7 @@ bool Atelier::key(const Chord& chord, bool repeated) {
     if (gesture_ == Gesture::lasso) gesture_ = Gesture::none;
     dropParts();
     cancelStroke();
+    if (followsStroke()) worker_.giveUpStrokes();
     cancelSolid();
     joinFrom_.reset();
     if (gestureByKey_) sculpt = before_;

@@ -73,6 +73,8 @@ void Atelier::endStroke() {
   worker_.post([](ClayDesk& desk) { desk.endStroke(); });
 }
 
+bool Atelier::followsStroke() const { return status_.inStroke && !maker_ && !heldStroke_; }
+
 void Atelier::cancelStroke() {
   if (!maker_ && !heldStroke_) return;
   maker_.reset();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/surface/statistics.hpp"
@@ -86,13 +87,20 @@ void ClayDesk::extendStroke(std::span<const StrokePoint> points) {
 }
 
 bool ClayDesk::dab() {
-  if (!stroke_ || !stroke_->dab()) return false;
-  show();
+  if (!stroke_ || givesUp()) return false;
+  try {
+    if (!stroke_->dab()) return false;
+    show();
+  } catch (const std::bad_alloc&) {
+    cancelStroke();
+    throw Error("not enough memory for this stroke: a smaller tool or a coarser grid needs less");
+  }
   return true;
 }
 
 void ClayDesk::endStroke() {
   if (!stroke_) return;
+  if (givesUp()) return cancelStroke();
   status_.last = stroke_->finish();
   recording_.operations.push_back(StrokeOperation{stroke_->stroke()});
   stroke_.reset();

@@ -3,6 +3,7 @@
 // call it directly.
 #pragma once
 #include <chrono>
+#include <functional>
 #include <memory>
 
 #include "bozzetto/render/structure.hpp"
@@ -30,6 +31,8 @@ class ClayDesk {
   ClayDesk& operator=(const ClayDesk&) = delete;
 
   double newRadius = 48;  ///< of a new ball, world units = cells of a new scene
+  /// Asked before every dab; true takes the stroke back. May be asked while others answer.
+  std::function<bool()> givesUp = [] { return false; };
 
   // Documents. Each throws Error and leaves something sound on the desk.
   /// Without a name it lives in the user's state folder until it gets one.
@@ -60,7 +63,8 @@ class ClayDesk {
   void apply(const Operation& operation, Progress& progress = Progress::none());
   void beginStroke(const HandOperations& hand, Stroke stroke);
   void extendStroke(std::span<const StrokePoint> points);
-  /// The next dab whose place is sure; false when there is none.
+  /// The next dab whose place is sure; false when there is none. Where memory ends the stroke is
+  /// taken back, with an Error.
   bool dab();
   void endStroke();
   void cancelStroke();

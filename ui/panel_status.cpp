@@ -91,6 +91,9 @@ std::vector<Hint> restingHints(const Atelier& atelier) {
   const bool blender = atelier.keymap.profile() == KeyProfile::blender;
   const Modifiers held = atelier.held();
   std::vector<Hint> hints;
+  if (atelier.followsStroke() && atelier.now() - atelier.lastInput() > 1) {
+    hints.push_back({"Esc", {}, "Take the stroke back"});
+  }
   if (atelier.movingReference) {
     return {{"", MousePart::left, "Move the picture"},
             {"Shift", MousePart::wheel, "Size"},

@@ -79,6 +79,14 @@ std::shared_ptr<LongJob> ClayWorker::start(std::string title, Work work) {
   return job;
 }
 
+void ClayWorker::giveUpStrokes() {
+  givenUp_ = true;
+  post([this](ClayDesk& desk) {
+    desk.cancelStroke();
+    givenUp_ = false;
+  });
+}
+
 Publication ClayWorker::take() {
   const std::lock_guard lock(mutex_);
   news_ = false;
@@ -142,6 +150,7 @@ std::optional<ClayWorker::Task> ClayWorker::next(const ClayDesk& desk) {
 
 void ClayWorker::run() {
   ClayDesk desk;
+  desk.givesUp = [this] { return givenUp_.load(); };
   publish(desk);
   Clock::time_point shown = Clock::now();
   while (const std::optional<Task> task = next(desk)) {

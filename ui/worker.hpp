@@ -53,6 +53,9 @@ class ClayWorker {
   /// A job that may take long; told through what is returned.
   std::shared_ptr<LongJob> start(std::string title, Work work);
 
+  /// Takes strokes back that are still on their way to the clay, as soon as this dab is made.
+  void giveUpStrokes();
+
   /// What is finished since the last call; never waits for clay.
   Publication take();
   bool hasNews() const { return news_; }
@@ -72,7 +75,7 @@ class ClayWorker {
   std::condition_variable work_, settled_;
   std::deque<Task> tasks_;
   Publication ready_;
-  std::atomic<bool> news_ = false;
+  std::atomic<bool> news_ = false, givenUp_ = false;
   std::shared_ptr<LongJob> job_;
   bool stop_ = false, busy_ = false, resting_ = true;
   std::thread thread_;

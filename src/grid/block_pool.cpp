@@ -3,8 +3,11 @@
 #include <sys/mman.h>
 
 #include <cassert>
+#include <cstdint>
 #include <mutex>
 #include <new>
+
+#include "bozzetto/base/memory.hpp"
 
 namespace bozzetto {
 
@@ -22,6 +25,8 @@ namespace {
 
 constexpr std::size_t kSlabBytes = std::size_t{32} << 20;
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
+// With less than this the system would soon kill the program, or another one.
+constexpr std::uint64_t kLeftToOthers = std::uint64_t{384} << 20;
 
 // A free list over slabs that are never unmapped: what a sculptor used once is used again.
 class Pool {
@@ -53,6 +58,7 @@ class Pool {
   };
 
   void mapSlab() {
+    if (availableMemory().value_or(UINT64_MAX) < kLeftToOthers) throw std::bad_alloc();
     void* raw = ::mmap(nullptr, kSlabBytes + kHugePage, PROT_READ | PROT_WRITE,
                        MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (raw == MAP_FAILED) throw std::bad_alloc();

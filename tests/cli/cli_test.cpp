@@ -251,6 +251,21 @@ TEST(Cli, helpIsThereForEveryCommand) {
   }
 }
 
+#ifndef BOZZETTO_SANITIZED  // they take terabytes of address space
+TEST(Cli, memoryThatEndsLeavesTheOldScene) {
+  const CommandFolder folder;
+  const std::string scene = sceneOf(folder, kBall);
+  const auto hash = infoOf(scene)["field_hash"];
+  const std::string larger =
+      folder.write("large.jsonl", kHeader + "{\"op\":\"fill\",\"radii\":[1500,1500,1500]}\n");
+  const Outcome out = testing::runCramped("replay " + larger + " -o " + scene, 1 << 20);
+  EXPECT_EQ(out.code, 1) << out.err;
+  EXPECT_NE(out.err.find("not enough memory"), std::string::npos) << out.err;
+  EXPECT_EQ(infoOf(scene)["field_hash"], hash);
+  EXPECT_EQ(folder.listing(), "large.jsonl r.jsonl s.bzt");
+}
+#endif
+
 TEST(Cli, aDiskThatFillsLeavesTheOldScene) {
   const CommandFolder folder;
   const std::string scene = sceneOf(folder, kBall);

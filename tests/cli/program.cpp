@@ -39,6 +39,10 @@ Outcome runLimited(const std::string& arguments, int kibibytes) {
                   arguments);
 }
 
+Outcome runCramped(const std::string& arguments, int kibibytes) {
+  return runShell("ulimit -v " + std::to_string(kibibytes) + "; " BOZZETTO_PROGRAM " " + arguments);
+}
+
 Outcome runKilled(const std::string& arguments, double seconds) {
   return runShell("timeout -s KILL " + std::to_string(seconds) + " " BOZZETTO_PROGRAM " " +
                   arguments);

@@ -18,6 +18,9 @@ Outcome runProgram(const std::string& arguments);
 /// The same where no file may grow beyond so many KiB.
 Outcome runLimited(const std::string& arguments, int kibibytes);
 
+/// The same with so many KiB of address space.
+Outcome runCramped(const std::string& arguments, int kibibytes);
+
 /// The same, killed (SIGKILL) after so many seconds.
 Outcome runKilled(const std::string& arguments, double seconds);
 

@@ -310,6 +310,24 @@ Publication whenCalm(ClayDesk& desk) {
   return all;
 }
 
+TEST_F(InFolder, aStrokeIsGivenUpWhileTheClayFollowsIt) {
+  ClayDesk desk;
+  desk.startNew(NewClay::ball, scene_);
+  const std::uint64_t before = fieldHash(desk.sculptor().field());
+  const std::size_t steps = whenCalm(desk).status->history->steps.size();
+  Stroke stroke;
+  stroke.points = {{{0, 0, 48}, 1}, {{4000, 0, 48}, 1}};
+  int dabs = 0;
+  desk.givesUp = [&] { return dabs >= 5; };
+  const HandOperations hand;
+  desk.beginStroke(hand, stroke);
+  while (desk.dab()) ++dabs;
+  desk.endStroke();
+  EXPECT_EQ(dabs, 5);
+  EXPECT_EQ(fieldHash(desk.sculptor().field()), before);
+  EXPECT_EQ(whenCalm(desk).status->history->steps.size(), steps);
+}
+
 TEST_F(InFolder, afterAFailedSyncItNeverSaysSaved) {
   testing::FaultyFileSystem files(FileSystem::real());
   ClayDesk desk(files);

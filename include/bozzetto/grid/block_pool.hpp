@@ -5,7 +5,8 @@
 
 namespace bozzetto {
 
-/// `size` bytes aligned to 64, from the pool of this size. Thread-safe. Throws std::bad_alloc.
+/// `size` bytes aligned to 64, from the pool of this size. Thread-safe. Throws std::bad_alloc, also
+/// for new slabs while the machine has little memory left: better than being killed by the system.
 void* allocateBlock(std::size_t size);
 
 /// Gives back what allocateBlock(size) returned.
