@@ -1,6 +1,7 @@
 // Clay that behaves like clay: what is held, what stands in its way, and running its layers.
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "ui/atelier.hpp"
 
@@ -8,6 +9,20 @@ namespace bozzetto::ui {
 namespace {
 
 constexpr double kKnobPixels = 14;
+
+// `mesh` in cells of the sculpture, from its pivot.
+ToolGhost supportGhost(const clay::Support& support, std::shared_ptr<const ToolMesh> mesh,
+                       double spacing) {
+  const Sculpture& sculpture = *support.sculpture;
+  const glm::dmat4 turn(glm::mat3_cast(normalisedRotation(support.rotation)));
+  const glm::dvec3 cells = support.radii / (sculpture.halfExtents() * spacing);
+  ToolGhost ghost;
+  ghost.mesh = std::move(mesh);
+  ghost.cellsFromTool = glm::translate(glm::dmat4(1), support.centre / spacing) * turn *
+                        glm::scale(glm::dmat4(1), cells) *
+                        glm::translate(glm::dmat4(1), sculpture.pivot());
+  return ghost;
+}
 
 }  // namespace
 
@@ -39,14 +54,16 @@ void Atelier::placeTable() {
   chosenSupport = status_.clay.supports.size();
 }
 
+// A sculpture stands on its pivot, as in the hand.
 void Atelier::placeToolAsSupport(const glm::dvec3& at) {
-  clay::Support support;
   const ToolShape tool = toolAt({at, view.back()});
-  support.shape = tool.shape == Shape::freeform ? Shape::ellipsoid : tool.shape;
-  support.radii = tool.radii;
-  support.rotation = tool.rotation;
-  support.centre = at;
-  apply(SupportOperation{support});
+  SupportOperation operation{{tool.shape, at, tool.radii, tool.rotation}};
+  if (tool.sculpture) {
+    const glm::dvec3 pivot = tool.sculpture->pivot() / tool.sculpture->halfExtents();
+    operation.support.centre -= normalisedRotation(tool.rotation) * (pivot * tool.radii);
+    operation.source = sculpt.freeform->source;
+  }
+  apply(operation);
   chosenSupport = status_.clay.supports.size();
 }
 
@@ -85,8 +102,10 @@ void Atelier::addSupports(Overlays& overlays) const {
   const auto& supports = status_.clay.supports;
   for (std::size_t n = 0; n < supports.size(); ++n) {
     const clay::Support& support = supports[n];
-    ToolShape shape{support.shape, Profile::box, support.radii, support.rotation};
-    ToolGhost ghost = bodyOf(shape, support.centre / spacing);
+    const ToolShape shape{support.shape, Profile::box, support.radii, support.rotation};
+    ToolGhost ghost = support.shape == Shape::freeform
+                          ? supportGhost(support, status_.supportMeshes[n], spacing)
+                          : bodyOf(shape, support.centre / spacing);
     ghost.display = ToolDisplay::transparent;
     ghost.ink = n == chosenSupport ? Ink(.373f, .722f, .788f, 1) : Ink(.62f, .66f, .72f, 1);
     overlays.tools.push_back(ghost);

@@ -221,7 +221,7 @@ void ClayDesk::tellStatus() {
   status_.bounds = bounds_;
   if (!status_.inStroke) status_.stage = Stage::around(bounds_);
   status_.mass = status_.last.massAfter;
-  status_.clay = sculptor().clay();
+  tellSupports();
   tellSolid(sculptor().solid());
   status_.isLit = rest_ != Rest::light;
   status_.operations = recording_.operations.size();
@@ -233,6 +233,22 @@ void ClayDesk::tellStatus() {
   out_.status = status_;
 }
 
+void ClayDesk::tellSupports() {
+  status_.clay = sculptor().clay();
+  status_.supportMeshes.clear();
+  std::map<std::shared_ptr<const Sculpture>, std::shared_ptr<const ToolMesh>> meshes;
+  for (const clay::Support& support : status_.clay.supports) {
+    std::shared_ptr<const ToolMesh> mesh;
+    if (support.shape == Shape::freeform) {
+      mesh = supportMeshes_[support.sculpture];
+      if (!mesh) mesh = meshOf(*support.sculpture);
+      meshes[support.sculpture] = mesh;
+    }
+    status_.supportMeshes.push_back(std::move(mesh));
+  }
+  supportMeshes_ = std::move(meshes);
+}
+
 void ClayDesk::setStructure(Structure structure) {
   structure_ = structure;
   showAll();
@@ -240,6 +256,10 @@ void ClayDesk::setStructure(Structure structure) {
 
 bool ClayDesk::settle() {
   if (stroke_ || peek_) return false;
+  if (const auto sculpture = std::exchange(unprepared_, nullptr)) {
+    sculpture->distance();
+    return true;
+  }
   switch (rest_) {
     case Rest::light: {
       std::vector<UnpackedPatch> better = dresser_->settle(sculptor().surface());

@@ -160,6 +160,7 @@ class ClayDesk {
   void picture(ShelfCard& card);
   bool pictureNext();
   void tellStatus();
+  void tellSupports();
   Keeping keeping() const;
   bool loadPicture();
   ClayStatistics count() const;
@@ -180,11 +181,14 @@ class ClayDesk {
   SolidWish solidWish_;
   SolidRef solidTold_;  // what the window shows
   double solidSpacing_ = 0;
-  std::optional<RunReport> solidRan_;      // the last physics, also of a preview
-  std::map<Key, PatchRef> fine_, coarse_;  // the clay's own surface, as last told
-  std::unique_ptr<PosedClay> posed_;       // while a wrap is seen posed
+  std::optional<RunReport> solidRan_;            // the last physics, also of a preview
+  std::map<Key, PatchRef> fine_, coarse_;        // the clay's own surface, as last told
+  std::unique_ptr<PosedClay> posed_;             // while a wrap is seen posed
+  std::shared_ptr<const Sculpture> unprepared_;  // may push clay, and knows no ways out of it yet
   ShelfPictures pictures_ = ShelfPictures::none;
   std::map<std::string, std::shared_ptr<const Bytes>> starterPictures_;
+  /// Of the supports that are sculptures, each once.
+  std::map<std::shared_ptr<const Sculpture>, std::shared_ptr<const ToolMesh>> supportMeshes_;
   ClayStatus status_;
   std::uint64_t historyMoment_ = 0;
   Publication out_;

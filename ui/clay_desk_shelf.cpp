@@ -87,7 +87,8 @@ bool ClayDesk::pictureNext() {
 void ClayDesk::takeTool(const ToolSource& source) {
   ToolLibrary& tools = bench().tools();
   const ShelfTool tool = tools.load(source);
-  out_.taken = freeformOf(tool, source, tools.sculpture(source));
+  unprepared_ = tools.sculpture(source);
+  out_.taken = freeformOf(tool, source, unprepared_);
 }
 
 void ClayDesk::shareTool(const std::string& name, const fs::path& path) {

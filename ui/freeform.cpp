@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kMostTriangles = 60'000;
 
-// In cells from the pivot, light enough to be drawn in every frame.
+}  // namespace
+
 std::shared_ptr<const ToolMesh> meshOf(const Sculpture& sculpture) {
   Surface<8> surface;
   surface.rebuild(sculpture.clay());
@@ -28,8 +29,6 @@ std::shared_ptr<const ToolMesh> meshOf(const Sculpture& sculpture) {
     made->indices.insert(made->indices.end(), triangle.begin(), triangle.end());
   return made;
 }
-
-}  // namespace
 
 Freeform freeformOf(const ShelfTool& tool, const ToolSource& source,
                     std::shared_ptr<const Sculpture> sculpture) {

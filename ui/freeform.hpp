@@ -19,6 +19,9 @@ struct Freeform {
   std::vector<Operation> preset;         ///< what it was kept with
 };
 
+/// Of a sculpture's surface, in its cells, from its pivot; light enough to be drawn in every frame.
+std::shared_ptr<const ToolMesh> meshOf(const Sculpture& sculpture);
+
 /// Loads nothing: of a tool that is there. Throws Error for one without clay.
 Freeform freeformOf(const ShelfTool& tool, const ToolSource& source,
                     std::shared_ptr<const Sculpture> sculpture);

@@ -66,8 +66,10 @@ struct ClayStatus {
   bool inStroke = false;
   std::optional<StepNumber> peek;  ///< a state that is only looked at
   clay::Setup clay;                ///< what strokes that move clay meet
-  std::size_t movedSteps = 0;      ///< strokes that moved clay, and relaxations, since opened
-  double drift = 0;                ///< of the mass, over these
+  /// Of the supports, in their order; null for those that are no sculptures.
+  std::vector<std::shared_ptr<const ToolMesh>> supportMeshes;
+  std::size_t movedSteps = 0;  ///< strokes that moved clay, and relaxations, since opened
+  double drift = 0;            ///< of the mass, over these
   Keeping keeping;
 };
 

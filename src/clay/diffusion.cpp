@@ -33,6 +33,12 @@ glm::dvec3 normalAt(const Work& work, std::size_t cell) {
   return {0, 1, 0};
 }
 
+constexpr double kLeastRadius = 4;
+
+int longestWalk(const Settings& settings, double radius) {
+  return static_cast<int>(std::ceil(settings.walk * std::max(radius, kLeastRadius)));
+}
+
 bool touchesDense(const Region& region, std::size_t cell) {
   for (const std::ptrdiff_t step : region.neighbours())
     if (region.value[cell + step] >= 0.5f) return true;
@@ -40,6 +46,10 @@ bool touchesDense(const Region& region, std::size_t cell) {
 }
 
 }  // namespace
+
+double diffusionReach(const Settings& settings, double radius) {
+  return longestWalk(settings, radius) + settings.viscosity + 1;
+}
 
 float spreadAt(float u, const std::array<double, 2>& control) {
   if (control == kUniform) return 1;
@@ -124,9 +134,9 @@ void Diffusion::push(Work& work, std::size_t cell) {
   region.touch(cell);
   const glm::dvec3 normal = normalAt(work, cell);
   const double whole = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
-  double radius = 4;
+  double radius = 0;
   for (const PlacedTool& tool : work.moving) radius = std::max(radius, tool.radius);
-  const int longest = static_cast<int>(std::ceil(work.settings.walk * radius));
+  const int longest = longestWalk(work.settings, radius);
   float rest = excess;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double part = std::abs(normal[static_cast<int>(axis)]) / whole;

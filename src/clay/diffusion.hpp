@@ -9,6 +9,9 @@ namespace bozzetto::clay {
 /// (1, 0) by a control point; all 1 for kUniform (Raffin §3).
 float spreadAt(float u, const std::array<double, 2>& control);
 
+/// How far from a tool of this radius matter may come to lie, in cells.
+double diffusionReach(const Settings& settings, double radius);
+
 class Diffusion final : public Layer {
  public:
   void run(Work& work) override;

@@ -1,6 +1,7 @@
 #include "clay/pressure_grid.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace bozzetto::clay {
 namespace {
@@ -49,6 +50,27 @@ BOZZETTO_KERNEL void residualKernel(const ResidualRow& row, float* __restrict su
 BOZZETTO_SIMD_DISPATCH(void, residualRow, residualKernel, (const ResidualRow& row, float* sums),
                        (row, sums))
 
+// Four coarse cells in a row, and those behind their far faces, are clay without air round it: what
+// most of a body is.
+bool openAllRound(const std::uint8_t* type, const std::uint8_t* air,
+                  const std::array<std::ptrdiff_t, 3>& step) {
+  constexpr std::uint64_t eightOfClay = 0x0101010101010101u * kClay;
+  const auto eight = [](const std::uint8_t* bytes) {
+    std::uint64_t word;
+    std::memcpy(&word, bytes, sizeof word);
+    return word;
+  };
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      if (i + j == 4) continue;
+      const std::ptrdiff_t row = i * step[0] + j * step[1];
+      if (eight(type + row) != eightOfClay) return false;
+      const bool own = i < 2 && j < 2;
+      if (own && (eight(air + row) != 0 || type[row + 8] != kClay)) return false;
+    }
+  return true;
+}
+
 }  // namespace
 
 void PressureGrid::resize(const Region& region) {
@@ -96,10 +118,17 @@ void PressureGrid::linkFine(const Region& region) {
   const auto joined = [&](std::size_t n, std::ptrdiff_t way) {
     return type[n] == kClay && type[n + way] == kClay ? 1 : 0;
   };
+  const auto open = [&](std::size_t n) { return openAllRound(type + n, &region.mark2[n], step); };
   forRows(level.rows, [&](const Row& row) {
     const auto first = static_cast<std::size_t>(2 * (row.i * step[0] + row.j * step[1] + row.k));
     for (std::int32_t k = 0; k < row.count; ++k) {
       const std::size_t n = first + 2 * k;
+      if (k % 4 == 0 && open(n)) {
+        std::fill_n(&level.air[row.base + k], 4, 0.0f);
+        for (auto& link : level.link) std::fill_n(&link[row.base + k], 4, 4 * kLinkWeight);
+        k += 3;
+        continue;
+      }
       int air = 0, links[3] = {0, 0, 0};
       for (std::size_t c = 0; c < 8; ++c) {
         const std::size_t cell = n + (c >> 2) * step[0] + (c >> 1 & 1) * step[1] + (c & 1);

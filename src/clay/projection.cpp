@@ -194,14 +194,17 @@ struct KnownRow {
 // Bit a: the face along axis a is one of clay, or of what is gripped.
 BOZZETTO_KERNEL void knownKernel(const KnownRow& row) {
   std::uint8_t* __restrict known = row.known;
-  for (int n = 0; n < row.count; ++n) known[n] = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::uint8_t *own = row.type, *next = row.type + row.step[axis];
-    for (int n = 0; n < row.count; ++n) {
-      const int both = own[n] | next[n], open = 1 - (both >> 1 & 1);
-      const int gripped = (own[n] == kGripped ? 1 : 0) | (next[n] == kGripped ? 1 : 0);
-      known[n] |= static_cast<std::uint8_t>(((both & open) | gripped) << axis);
-    }
+  const std::uint8_t *own = row.type, *i = own + row.step[0], *j = own + row.step[1],
+                     *k = own + row.step[2];
+  const int count = row.count;  // bytes may be anybody's: `known` might be it
+  for (int n = 0; n < count; ++n) {
+    const auto face = [&](std::uint8_t next) {
+      const auto both = static_cast<std::uint8_t>(own[n] | next);
+      const auto open = static_cast<std::uint8_t>(both & ~(both >> 1));  // clay is 1, closed 2
+      const auto gripped = static_cast<std::uint8_t>((own[n] & own[n] >> 1) | (next & next >> 1));
+      return static_cast<std::uint8_t>((open | gripped) & 1);
+    };
+    known[n] = static_cast<std::uint8_t>(face(i[n]) | face(j[n]) << 1 | face(k[n]) << 2);
   }
 }
 
@@ -303,14 +306,19 @@ struct TypeRow {
 };
 
 BOZZETTO_KERNEL void typeKernel(const TypeRow& row) {
-  for (int n = 0; n < row.count; ++n) {
-    const int clay = row.value[n] >= 0.5f ? 1 : 0;
-    const int closed = (row.hold[n] == kFixed ? 1 : 0) | (row.cover[n] > 0.5f ? 1 : 0);
-    row.type[n] = static_cast<std::uint8_t>(closed * kClosed | clay * (1 - closed));
+  const int count = row.count;
+  const float *value = row.value, *cover = row.cover;
+  const std::uint8_t* hold = row.hold;
+  std::uint8_t* __restrict type = row.type;
+  for (int n = 0; n < count; ++n) {
+    const int clay = value[n] >= 0.5f ? 1 : 0;
+    const int closed = (hold[n] == kFixed ? 1 : 0) | (cover[n] > 0.5f ? 1 : 0);
+    type[n] = static_cast<std::uint8_t>(closed * kClosed | clay * (1 - closed));
   }
-  for (int n = 0; n < row.count; ++n) {
-    row.pressure[n] *= row.type[n] == kClay ? 1.0f : 0.0f;
-    row.pressureNext[n] = 0;
+  float* __restrict pressure = row.pressure, * __restrict next = row.pressureNext;
+  for (int n = 0; n < count; ++n) {
+    pressure[n] *= type[n] == kClay ? 1.0f : 0.0f;
+    next[n] = 0;
   }
 }
 

@@ -6,10 +6,10 @@
 #include <glm/matrix.hpp>
 
 #include "bozzetto/tool/relative.hpp"
+#include "clay/diffusion.hpp"
 #include "clay/exchange.hpp"
 #include "clay/pose_path.hpp"
 #include "clay/reach.hpp"
-#include "clay/sculpted_solid.hpp"
 #include "clay/stepper.hpp"
 
 namespace bozzetto::clay {
@@ -18,7 +18,7 @@ namespace {
 constexpr double kStepCells = 0.5;       // clay.md §3.0
 constexpr double kFluid = 0.1;           // less stiffness than this leads nobody far
 constexpr std::size_t kMostImages = 64;  // tools that move at once
-constexpr double kFluidReach = 1.5;      // × radius: how far round the tool fluid clay gives way
+constexpr double kFluidReach = 1.5;      // × radius
 constexpr std::int64_t kMostRegion = std::int64_t{1} << 31;  // cells are counted in 32 bits
 constexpr std::int32_t kRoom = 2;   // tiles of air round the clay of a region
 constexpr std::int32_t kSlack = 1;  // tiles a tool may move before its region does
@@ -55,7 +55,9 @@ std::vector<PlacedTool> placeSupports(const std::vector<Support>& supports, doub
     const DabPose pose{origin, relativeTo(origin, support.centre, spacing),
                        glm::mat3_cast(normalisedRotation(support.rotation)),
                        support.radii / spacing};
-    placed.push_back(place(makeSolid(support.shape, pose), pose, Role::support));
+    auto solid = support.shape == Shape::freeform ? makeSolid(support.sculpture, pose)
+                                                  : makeSolid(support.shape, pose);
+    placed.push_back(place(std::move(solid), pose, Role::support));
   }
   return placed;
 }
@@ -86,10 +88,19 @@ void requireSound(const Stroke& stroke) {
 
 }  // namespace
 
+bool operator==(const Support& a, const Support& b) {
+  if (a.shape != b.shape || a.centre != b.centre || a.radii != b.radii || a.rotation != b.rotation)
+    return false;
+  if (a.shape != Shape::freeform || a.sculpture == b.sculpture) return true;
+  if (!a.sculpture || !b.sculpture) return false;
+  return a.sculpture->scale() == b.sculpture->scale() &&
+         fieldHash(a.sculpture->clay()) == fieldHash(b.sculpture->clay());
+}
+
 void requireValid(const Support& support) {
   normalisedRotation(support.rotation);
-  if (support.shape == Shape::freeform)
-    throw Error("support: freeform found, a primitive expected");
+  if (support.shape == Shape::freeform && !support.sculpture)
+    throw Error("support: freeform without a sculpture found, one expected");
   for (int axis = 0; axis < 3; ++axis)
     if (!(support.radii[axis] > 0) || !std::isfinite(support.radii[axis])) {
       throw Error("support radius: " + std::to_string(support.radii[axis]) +
@@ -104,8 +115,7 @@ struct ClayStroke<Side>::State {
   double spacing;
   Doing doing;
   float iso;
-  ToolShape tool;                                    // radii in cells
-  std::shared_ptr<const SculptedDistance> sculpted;  // of freeform tools
+  ToolShape tool;  // radii in cells
   std::string notice;
   Key origin;
   std::vector<glm::dmat3> images;
@@ -127,17 +137,29 @@ struct ClayStroke<Side>::State {
         supports(placeSupports(setup_.supports, scale.spacing)),
         stepper(setup.settings) {}
 
-  bool fluid() const {
+  bool runs(LayerKind kind) const {
     const auto& layers = setup.settings.layers;
-    const auto runs = [&](LayerKind kind) {
-      return std::find(layers.begin(), layers.end(), kind) != layers.end();
-    };
+    return std::find(layers.begin(), layers.end(), kind) != layers.end();
+  }
+
+  // Nothing happens far from the tool.
+  bool fluid() const {
     if (doing.role == Role::swell) return true;
-    if (runs(LayerKind::diffusion) || runs(LayerKind::automaton)) return false;  // matter travels
+    if (runs(LayerKind::automaton)) return false;  // matter travels
     return setup.settings.stiffness <= kFluid || !runs(LayerKind::displacement);
   }
 
   double radius() const { return std::max({tool.radii.x, tool.radii.y, tool.radii.z}); }
+
+  // How far round the tool fluid clay gives way.
+  std::int32_t margin() const {
+    double cells = kFluidReach * radius();
+    if (runs(LayerKind::diffusion)) {
+      const double farthest = diffusionReach(setup.settings, radius());
+      cells = runs(LayerKind::conservation) ? std::max(cells, farthest) : farthest;
+    }
+    return static_cast<std::int32_t>(cells);
+  }
 
   DabPose dabPose(const Pose& pose) const {
     return {origin, pose.position, glm::mat3_cast(pose.rotation * tool.rotation), tool.radii};
@@ -159,10 +181,10 @@ struct ClayStroke<Side>::State {
 
   // A freeform tool stands on its pivot.
   PlacedTool placeAt(DabPose pose) const {
-    if (!sculpted) return place(makeSolid(tool.shape, pose), pose, doing.role);
+    if (tool.shape != Shape::freeform) return place(makeSolid(tool.shape, pose), pose, doing.role);
     const Sculpture& sculpture = *tool.sculpture;
     pose.position -= pose.orientation * (sculpture.pivot() * pose.radii / sculpture.halfExtents());
-    return place(makeSculptedSolid(sculpted, sculpture, pose), pose, doing.role);
+    return place(makeSolid(tool.sculpture, pose), pose, doing.role);
   }
 
   // The tool and its images after `now` steps, moved since `before`.
@@ -194,16 +216,15 @@ struct ClayStroke<Side>::State {
 
   Reach reachOf(const KeyBox& tools) const {
     if (!fluid()) return connectedClay<Side>(*edit, tools);
-    const auto margin = static_cast<std::int32_t>(kFluidReach * radius());
     if (!anyClay<Side>(*edit, tools)) return {};
-    return {grown(tools, margin), false};
+    return {grown(tools, margin()), false};
   }
 
   // Loads another region where the tool, or the clay, leaves the one there is.
   void lookAround(const std::vector<PlacedTool>& tools) {
     const KeyBox box = boxOf(tools);
     KeyBox needed = box;
-    if (fluid()) needed = grown(box, static_cast<std::int32_t>(kFluidReach * radius()));
+    if (fluid()) needed = grown(box, margin());
     if (region && within(needed, region->inner()) && !(whole && region->reachesRim())) return;
     load(reachOf(box), needed);
   }
@@ -289,8 +310,6 @@ ClayStroke<Side>::ClayStroke(Edit<CornerBlock<Side>>& edit, const FieldScale& sc
   state_->tool = fitted.shape;
   state_->tool.radii /= scale.spacing;
   state_->notice = fitted.notice;
-  if (tool.shape == Shape::freeform)
-    state_->sculpted = std::make_shared<SculptedDistance>(*tool.sculpture);
   state_->origin = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
   state_->images = imagesOf(stroke.symmetry);
   if (state_->images.size() > kMostImages) {

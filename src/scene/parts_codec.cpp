@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bozzetto/scene/clay_bytes.hpp"
+
 namespace bozzetto {
 namespace {
 
@@ -212,7 +214,40 @@ ShelfItem decodeItem(std::span<const std::byte> bytes, const std::string& name) 
   return item;
 }
 
+namespace {
+
+using Sculptures = std::vector<std::shared_ptr<const Sculpture>>;
+
+// Its place among those that came before, where it is put if it is new.
+std::uint32_t numberOf(const std::shared_ptr<const Sculpture>& sculpture, Sculptures& known) {
+  auto at = std::find(known.begin(), known.end(), sculpture);
+  if (at == known.end()) at = known.insert(at, sculpture);
+  return static_cast<std::uint32_t>(at - known.begin());
+}
+
+std::shared_ptr<const Sculpture> getSculpture(ByteReader& in, const std::string& name) {
+  Clay clay = decodeClay(getBytes(in, in.remaining(), name), name + ": sculpture");
+  try {
+    return std::make_shared<const Sculpture>(std::move(clay));
+  } catch (const Error& error) {
+    refuse(name, error.what());
+  }
+}
+
+clay::Support getSupport(ByteReader& in, const std::string& name) {
+  clay::Support support;
+  support.shape = static_cast<Shape>(getChoice(in, static_cast<int>(Shape::freeform) + 1, name));
+  support.centre = getVector(in, name);
+  support.radii = getVector(in, name);
+  const double w = getNumber(in, name), x = getNumber(in, name), y = getNumber(in, name);
+  support.rotation = glm::dquat(w, x, y, getNumber(in, name));
+  return support;
+}
+
+}  // namespace
+
 Bytes encodeSupports(const std::vector<clay::Support>& supports) {
+  Sculptures sculptures;
   ByteWriter out;
   out.put(static_cast<std::uint32_t>(supports.size()));
   for (const clay::Support& support : supports) {
@@ -221,7 +256,10 @@ Bytes encodeSupports(const std::vector<clay::Support>& supports) {
     putVector(out, support.centre);
     putVector(out, support.radii);
     for (const double number : {q.w, q.x, q.y, q.z}) out.put(number);
+    if (support.shape == Shape::freeform) out.put(numberOf(support.sculpture, sculptures));
   }
+  for (const auto& sculpture : sculptures)
+    putBytes(out, sculpture ? encodeClay(sculpture->clay()) : Bytes());
   return out.take();
 }
 
@@ -230,19 +268,25 @@ std::vector<clay::Support> decodeSupports(std::span<const std::byte> bytes,
   ByteReader in(bytes, name);
   std::vector<clay::Support> supports;
   const std::uint32_t count = getCount(in, kMostSupports, name);
+  std::vector<std::uint32_t> numbers;  // of the freeform ones
+  std::uint32_t needed = 0;
   for (std::uint32_t n = 0; n < count; ++n) {
-    clay::Support support;
-    support.shape = static_cast<Shape>(getChoice(in, static_cast<int>(Shape::freeform), name));
-    support.centre = getVector(in, name);
-    support.radii = getVector(in, name);
-    const double w = getNumber(in, name), x = getNumber(in, name), y = getNumber(in, name);
-    support.rotation = glm::dquat(w, x, y, getNumber(in, name));
+    supports.push_back(getSupport(in, name));
+    if (supports.back().shape != Shape::freeform) continue;
+    numbers.push_back(in.get<std::uint32_t>());
+    require(numbers.back() <= needed, name, "support of a sculpture that is not there");
+    needed = std::max(needed, numbers.back() + 1);
+  }
+  Sculptures sculptures;
+  while (sculptures.size() < needed) sculptures.push_back(getSculpture(in, name));
+  auto number = numbers.begin();
+  for (clay::Support& support : supports) {
+    if (support.shape == Shape::freeform) support.sculpture = sculptures[*number++];
     try {
       clay::requireValid(support);
     } catch (const Error& error) {
       refuse(name, error.what());
     }
-    supports.push_back(support);
   }
   requireEnd(in, name);
   return supports;

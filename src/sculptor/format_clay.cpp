@@ -84,20 +84,43 @@ RelaxOperation readRelax(JsonObject& object) {
 
 Json writeRelax(const RelaxOperation& relax) { return {{"steps", relax.steps}}; }
 
-clay::Support readObject(JsonObject& object) {
-  return {readShape(object), readVector(object, "center", {0, 0, 0}),
-          readVector(object, "radii", {8, 8, 8}), readRotation(object)};
+bool isFreeform(JsonObject& object) {
+  return object.has("shape") && object.text("shape") == "freeform";
 }
 
-Json jsonOf(const clay::Support& support) {
-  return {{"shape", toText(support.shape)},
-          {"center", listOf(support.centre)},
-          {"radii", listOf(support.radii)},
-          {"rotation", listOf(support.rotation)}};
+SupportOperation readSupport(JsonObject& object) {
+  SupportOperation operation;
+  clay::Support& support = operation.support;
+  support.centre = readVector(object, "center", {0, 0, 0});
+  support.rotation = readRotation(object);
+  if (!isFreeform(object)) {
+    support.shape = readShape(object);
+    support.radii = readVector(object, "radii", {8, 8, 8});
+    return operation;
+  }
+  support.shape = Shape::freeform;
+  operation.source = readSource(object, "from");
+  if (object.has("radii")) {
+    support.radii = readRequiredVector(object, "radii");
+  } else {
+    operation.scale = readVector(object, "scale", {1, 1, 1});
+  }
+  return operation;
 }
 
-SupportOperation readSupport(JsonObject& object) { return {readObject(object)}; }
-Json writeSupport(const SupportOperation& operation) { return jsonOf(operation.support); }
+Json writeSupport(const SupportOperation& operation) {
+  const clay::Support& support = operation.support;
+  Json json{{"shape", toText(support.shape)},
+            {"center", listOf(support.centre)},
+            {"rotation", listOf(support.rotation)}};
+  if (operation.scale) {
+    json["scale"] = listOf(*operation.scale);
+  } else {
+    json["radii"] = listOf(support.radii);
+  }
+  if (operation.source) writeSource(*operation.source, "from", json);
+  return json;
+}
 
 int readNumber(JsonObject& object) {
   object.required("number");
@@ -107,11 +130,14 @@ int readNumber(JsonObject& object) {
 }
 
 SupportMoveOperation readSupportMove(JsonObject& object) {
-  return {readNumber(object), readObject(object)};
+  const bool brings = object.has("from") || object.has("text") || object.has("region");
+  SupportMoveOperation move{readNumber(object), readSupport(object)};
+  if (!brings) move.to.source.reset();
+  return move;
 }
 
 Json writeSupportMove(const SupportMoveOperation& operation) {
-  Json json = jsonOf(operation.support);
+  Json json = writeSupport(operation.to);
   json["number"] = operation.number;
   return json;
 }

@@ -13,6 +13,11 @@ struct Telling {
   Progress& progress;
 };
 
+/// The sculpture that a source means, also the clay at hand. Throws what ToolLibrary does.
+template <int Side>
+std::shared_ptr<const Sculpture> sculptureFor(const ToolSource& source, Workbench<Side>& bench,
+                                              Progress& progress);
+
 template <int Side>
 void run(const SceneOperation& operation, Workbench<Side>& bench, const Telling& telling);
 template <int Side>

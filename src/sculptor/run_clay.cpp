@@ -24,11 +24,26 @@ void run(const RelaxOperation& operation, Workbench<Side>& bench, const Telling&
   bench.keep(edit, telling.report);
 }
 
+// With its sculpture, whose distances are made now: no stroke waits for them.
 template <int Side>
-void run(const SupportOperation& operation, Workbench<Side>& bench, const Telling&) {
-  clay::requireValid(operation.support);
-  cellOf(operation.support.centre, bench.field().scale.spacing, "support centre");
-  bench.clay.supports.push_back(operation.support);
+clay::Support supportFrom(const SupportOperation& operation, Workbench<Side>& bench,
+                          const Telling& telling) {
+  clay::Support support = operation.support;
+  if (support.shape == Shape::freeform) {
+    if (operation.source)
+      support.sculpture = sculptureFor(*operation.source, bench, telling.progress);
+    if (support.sculpture && operation.scale)
+      support.radii = freeformRadii(*support.sculpture, *operation.scale);
+  }
+  clay::requireValid(support);
+  cellOf(support.centre, bench.field().scale.spacing, "support centre");
+  if (support.sculpture) support.sculpture->distance();
+  return support;
+}
+
+template <int Side>
+void run(const SupportOperation& operation, Workbench<Side>& bench, const Telling& telling) {
+  bench.clay.supports.push_back(supportFrom(operation, bench, telling));
 }
 
 template <int Side>
@@ -40,11 +55,11 @@ clay::Support& supportOf(Workbench<Side>& bench, int number, const char* op) {
 }
 
 template <int Side>
-void run(const SupportMoveOperation& operation, Workbench<Side>& bench, const Telling&) {
+void run(const SupportMoveOperation& operation, Workbench<Side>& bench, const Telling& telling) {
   clay::Support& support = supportOf(bench, operation.number, "support_move");
-  clay::requireValid(operation.support);
-  cellOf(operation.support.centre, bench.field().scale.spacing, "support centre");
-  support = operation.support;
+  SupportOperation to = operation.to;
+  if (!to.source) to.support.sculpture = support.sculpture;
+  support = supportFrom(to, bench, telling);
 }
 
 template <int Side>

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tool/density_grid.hpp"
+#include "tool/eikonal.hpp"
+
 namespace bozzetto {
-namespace {
-
-constexpr float kFar = 1e9f;
-
-}  // namespace
 
 DistanceField::DistanceField(const Clay& clay, const KeyBox& bounds, float iso, int reach)
     : low_(bounds.low - Key{reach, reach, reach}) {
@@ -19,35 +17,22 @@ DistanceField::DistanceField(const Clay& clay, const KeyBox& bounds, float iso, 
     count *= static_cast<std::size_t>(wide_[a]);
   }
   density_.assign(count, 0);
-  distance_.assign(count, kFar);
-  fixed_.assign(count, false);
-  readDensity(clay);
+  distance_.assign(count, kFarAway);
+  fixed_.assign(count, 0);
+  readDensities(clay, low_, wide_, density_);
   beginAtSurface(iso);
-  sweep();
+  sweepDistances(wide_, fixed_, 8, distance_);
   density_ = {};
   fixed_ = {};
-}
-
-void DistanceField::readDensity(const Clay& clay) {
-  for (const auto& [key, run] : clay.tree)
-    for (std::int32_t n = 0; n < run.length; ++n) {
-      const Key first = BlockGeometry<8>::firstCornerOf(key + Key{0, 0, n}) - low_;
-      for (int c = 0; c < 512; ++c) {
-        const Key at = first + Key{c >> 6, c >> 3 & 7, c & 7};
-        const bool inside = at.i >= 0 && at.j >= 0 && at.k >= 0 && at.i < wide_[0] &&
-                            at.j < wide_[1] && at.k < wide_[2];
-        if (inside) density_[index(at.i, at.j, at.k)] = run.block->value[std::size_t(c)];
-      }
-    }
 }
 
 // Corners inside have 0; those beside them the distance to the plane through the crossings on
 // their edges.
 void DistanceField::beginAtSurface(float iso) {
   const auto crossing = [&](float own, int i, int j, int k) {
-    if (i < 0 || j < 0 || k < 0 || i >= wide_[0] || j >= wide_[1] || k >= wide_[2]) return kFar;
+    if (i < 0 || j < 0 || k < 0 || i >= wide_[0] || j >= wide_[1] || k >= wide_[2]) return kFarAway;
     const float other = density_[index(i, j, k)];
-    return other >= iso ? (iso - own) / (other - own) : kFar;
+    return other >= iso ? (iso - own) / (other - own) : kFarAway;
   };
   for (int i = 0; i < wide_[0]; ++i)
     for (int j = 0; j < wide_[1]; ++j)
@@ -56,57 +41,17 @@ void DistanceField::beginAtSurface(float iso) {
         const float own = density_[at];
         if (own >= iso) {
           distance_[at] = 0;
-          fixed_[at] = true;
+          fixed_[at] = 1;
           continue;
         }
         const float x = std::min(crossing(own, i - 1, j, k), crossing(own, i + 1, j, k));
         const float y = std::min(crossing(own, i, j - 1, k), crossing(own, i, j + 1, k));
         const float z = std::min(crossing(own, i, j, k - 1), crossing(own, i, j, k + 1));
-        if (std::min({x, y, z}) >= kFar) continue;
+        if (std::min({x, y, z}) >= kFarAway) continue;
         const auto inverse = [](float t) { return 1 / std::max(t * t, 1e-6f); };
         distance_[at] = 1 / std::sqrt(inverse(x) + inverse(y) + inverse(z));
-        fixed_[at] = true;
+        fixed_[at] = 1;
       }
-}
-
-float DistanceField::nearest(int i, int j, int k, int axis) const {
-  int low[3] = {i, j, k}, high[3] = {i, j, k};
-  --low[axis];
-  ++high[axis];
-  const float a = low[axis] >= 0 ? distance_[index(low[0], low[1], low[2])] : kFar;
-  const float b =
-      high[axis] < wide_[std::size_t(axis)] ? distance_[index(high[0], high[1], high[2])] : kFar;
-  return std::min(a, b);
-}
-
-// |∇d| = 1 upwind (Zhao 2005, "A fast sweeping method for Eikonal equations").
-void DistanceField::relax(int i, int j, int k) {
-  const std::size_t at = index(i, j, k);
-  if (fixed_[at]) return;
-  float n[3] = {nearest(i, j, k, 0), nearest(i, j, k, 1), nearest(i, j, k, 2)};
-  std::sort(n, n + 3);
-  float d = n[0] + 1;
-  if (d > n[1]) {
-    const float difference = n[1] - n[0];
-    d = 0.5f * (n[0] + n[1] + std::sqrt(std::max(2 - difference * difference, 0.0f)));
-    if (d > n[2]) {
-      const float sum = n[0] + n[1] + n[2];
-      const float squares = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-      d = (sum + std::sqrt(std::max(sum * sum - 3 * (squares - 1), 0.0f))) / 3;
-    }
-  }
-  distance_[at] = std::min(distance_[at], d);
-}
-
-void DistanceField::sweep() {
-  for (int order = 0; order < 8; ++order) {
-    const auto along = [&](int axis, int n) {
-      return (order >> axis & 1) != 0 ? wide_[std::size_t(axis)] - 1 - n : n;
-    };
-    for (int i = 0; i < wide_[0]; ++i)
-      for (int j = 0; j < wide_[1]; ++j)
-        for (int k = 0; k < wide_[2]; ++k) relax(along(0, i), along(1, j), along(2, k));
-  }
 }
 
 float DistanceField::at(float x, float y, float z) const {

@@ -22,16 +22,12 @@ class DistanceField {
                static_cast<std::size_t>(wide_[2]) +
            static_cast<std::size_t>(k);
   }
-  void readDensity(const Clay& clay);
   void beginAtSurface(float iso);
-  void sweep();
-  void relax(int i, int j, int k);
-  float nearest(int i, int j, int k, int axis) const;
 
   Key low_;
   std::array<int, 3> wide_{};
   std::vector<float> density_, distance_;
-  std::vector<bool> fixed_;
+  std::vector<std::uint8_t> fixed_;
 };
 
 }  // namespace bozzetto

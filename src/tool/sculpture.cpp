@@ -9,6 +9,7 @@
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/field/resample.hpp"
 #include "tool/freeform.hpp"
+#include "tool/sculpted_solid.hpp"
 
 namespace bozzetto {
 namespace {
@@ -194,6 +195,12 @@ const Sculpture::Colours& Sculpture::colours() const {
   const std::lock_guard lock(making_);
   if (!colours_) colours_ = coloursOf(clay_);
   return *colours_;
+}
+
+const SculptedDistance& Sculpture::distance() const {
+  const std::lock_guard lock(making_);
+  if (!distance_) distance_ = std::make_unique<const SculptedDistance>(*this);
+  return *distance_;
 }
 
 const SculptureLevel& Sculpture::level(int n) const {

@@ -126,6 +126,50 @@ Scene takai() {
   return scene;
 }
 
+std::shared_ptr<const Sculpture> sculptedBall(double radius) {
+  Scene scene;
+  Edit<CornerBlock<8>> edit(scene.field.tree);
+  Primitive ball;
+  ball.radii = glm::dvec3(radius);
+  fill<8>(edit, scene.field.scale, ball);
+  edit.commit();
+  return std::make_shared<const Sculpture>(std::move(scene.field));
+}
+
+// What making a tool costs those who will push clay with it.
+void distances(benchmark::State& state) {
+  const auto ball = sculptedBall(static_cast<double>(state.range(0)));
+  for (auto _ : state) {
+    state.PauseTiming();
+    const Sculpture fresh(ball->clay());
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(&fresh.distance());
+  }
+}
+
+// From the first point of a stroke to its first dab, with a sculpted tool of this radius on a slab.
+void firstDab(benchmark::State& state, bool prepared) {
+  Scene scene = plough();
+  const auto ball = sculptedBall(static_cast<double>(state.range(0)));
+  for (auto _ : state) {
+    state.PauseTiming();
+    scene.tool.shape = Shape::freeform;
+    scene.tool.sculpture = std::make_shared<const Sculpture>(ball->clay());
+    scene.tool.scale = glm::dvec3(7.0 / static_cast<double>(state.range(0)));
+    scene.tool.radii = freeformRadii(*scene.tool.sculpture, scene.tool.scale);
+    if (prepared) scene.tool.sculpture->distance();
+    Clay field = scene.field;
+    Edit<CornerBlock<8>> edit(field.tree);
+    state.ResumeTiming();
+    clay::ClayStroke<8> stroke(edit, field.scale, scene.tool, {scene.role, 0.5}, scene.stroke,
+                               scene.setup);
+    stroke.step(0);
+    state.PauseTiming();
+    stroke.store();
+    state.ResumeTiming();
+  }
+}
+
 void memorySweep(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
   std::vector<float> a(count, 1), b(count, 2);
@@ -165,6 +209,9 @@ BENCHMARK_CAPTURE(steps, bend_half_of_128, bendLarge())
     ->UseRealTime();
 BENCHMARK_CAPTURE(steps, raffin_50, raffin())->Unit(kMs)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK_CAPTURE(steps, takai_column, takai())->Unit(kMs)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(distances)->Unit(kMs)->Arg(8)->Arg(32)->Arg(75)->UseRealTime();
+BENCHMARK_CAPTURE(firstDab, sculpted, false)->Unit(kMs)->Arg(32)->Arg(75)->UseRealTime();
+BENCHMARK_CAPTURE(firstDab, sculpted_prepared, true)->Unit(kMs)->Arg(32)->Arg(75)->UseRealTime();
 BENCHMARK(memorySweep)->Arg(100'000)->Arg(1'000'000)->Arg(8'000'000);
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Laws: what holds whatever is done to the clay.
 #include "bozzetto/base/parallel.hpp"
 #include "bozzetto/clay/hold.hpp"
+#include "bozzetto/tool/shape.hpp"
+#include "bozzetto/tool/solid.hpp"
 #include "clay/clay_fixture.hpp"
 
 namespace bozzetto::clay::testing {
@@ -230,6 +232,74 @@ TEST(Laws, NothingTunnelsThroughThinTools) {
   for (int n = 0; n < 13 * 8 * 13; ++n)
     above += clay.value({n / (8 * 13) - 6, n / 13 % 8 - 5, n % 13 - 6});
   EXPECT_LT(above, 1);
+}
+
+template <class Callback>
+void forCorners(const Clay& clay, const Callback& callback) {
+  for (const auto& [key, run] : clay.tree)
+    for (std::int32_t n = 0; n < run.length * 512; ++n)
+      callback(key * 8 + Key{n / 64 % 8, n / 8 % 8, n % 8 + n / 512 * 8},
+               run.block->value[std::size_t(n % 512)]);
+}
+
+// An angle, turned and half as large again, that a ball is pushed against.
+Push againstAnAngle() {
+  Clay angle;
+  addSolid(angle, Shape::box, {0, -8, 0}, {12, 4, 9});
+  addSolid(angle, Shape::box, {8, 2, 0}, {4, 12, 9});
+  Support support{Shape::freeform, {12, -16, 0}, {}, {0.96, 0.1, 0, 0.2}};
+  support.sculpture = std::make_shared<const Sculpture>(std::move(angle));
+  support.radii = freeformRadii(*support.sculpture, glm::dvec3(1.5));
+  Push push{toolOf(Shape::ellipsoid, {9, 9, 9}), Role::push, {}, {}};
+  push.setup.supports = {support};
+  push.stroke.points = {{{-22, 18, 0}, 1}, {{-8, 8, 2}, 1}};
+  return push;
+}
+
+TEST(Laws, SlowClayDoesNotEnterSculptedSupports) {
+  const Push push = againstAnAngle();
+  const Support& support = push.setup.supports[0];
+  DabPose pose;
+  pose.position = support.centre;
+  pose.orientation = glm::mat3_cast(normalisedRotation(support.rotation));
+  pose.radii = support.radii;
+  const auto solid = makeSolid(support.sculpture, pose);
+  const auto standing = [&](const Clay& clay, double depth) {
+    double found = 0;
+    forCorners(clay, [&](Key key, float value) {
+      const Key local = key - solid->cell;
+      if (solid->distance({local.i, local.j, local.k}) < depth) found += double(value);
+    });
+    return found;
+  };
+  for (const double stiffness : {0.0, 0.7}) {
+    Clay clay;
+    addSolid(clay, Shape::ellipsoid, {-4, 4, 0}, {11, 11, 11});
+    const Measures before = measure(clay);
+    const double touching = standing(clay, 2);
+    Push each = push;
+    each.setup.settings.stiffness = stiffness;
+    run(clay, each);
+    EXPECT_LT(standing(clay, -1), 0.5) << stiffness;
+    if (stiffness > 0) {
+      EXPECT_GT(standing(clay, 2), 1.5 * touching + 50) << "clay has been pressed against it";
+    }
+    EXPECT_NEAR(measure(clay).volume / before.volume, 1, 0.03) << stiffness;
+    EXPECT_NEAR(measure(clay).mass / before.mass, 1, 1e-7);
+  }
+}
+
+TEST(Laws, SlowThreadsDoNotShowAtSculptedSupports) {
+  std::uint64_t one = 0;
+  for (const int threads : {1, 2, 3, 4}) {
+    setThreadCount(threads);
+    Clay clay;
+    addSolid(clay, Shape::ellipsoid, {-4, 4, 0}, {11, 11, 11});
+    const std::uint64_t hash = after(clay, againstAnAngle());
+    if (threads == 1) one = hash;
+    EXPECT_EQ(hash, one) << threads;
+  }
+  setThreadCount(0);
 }
 
 TEST(Laws, ColoursTravelWithTheClay) {

@@ -323,6 +323,9 @@ TEST_F(Tools, shelfOperationsComeBackFromTheirText) {
         "{\"op\":\"shelf_rename\",\"name\":\"a\",\"to\":\"b\"}",
         "{\"op\":\"shelf_drop\",\"name\":\"b\"}",
         "{\"op\":\"support_move\",\"number\":2,\"shape\":\"box\",\"center\":[1,2,3]}",
+        "{\"op\":\"support\",\"shape\":\"freeform\",\"from\":\"a.bzt\",\"scale\":[1,2,1]}",
+        "{\"op\":\"support\",\"shape\":\"freeform\",\"from\":\"shelf:leaf\",\"radii\":[1,2,1]}",
+        "{\"op\":\"support_move\",\"number\":0,\"shape\":\"freeform\",\"radii\":[1,2,1]}",
         "{\"op\":\"support_drop\",\"number\":0}"}) {
     const std::string text = toText(parseOperation(line, "test"));
     EXPECT_EQ(toText(parseOperation(text, "test")), text) << line;
@@ -336,14 +339,14 @@ TEST_F(Tools, supportsAreMovedAndTakenByNumber) {
   table.support.centre = {0, 20, 0};
   sculptor.apply(table);
   table.support.centre = {5, 0, 0};
-  sculptor.apply(SupportMoveOperation{0, table.support});
+  sculptor.apply(SupportMoveOperation{0, table});
   ASSERT_EQ(sculptor.clay().supports.size(), 2u);
   EXPECT_EQ(sculptor.clay().supports[0].centre.x, 5);
   sculptor.apply(SupportDropOperation{0});
   ASSERT_EQ(sculptor.clay().supports.size(), 1u);
   EXPECT_EQ(sculptor.clay().supports[0].centre.y, 20);
   EXPECT_THROW(sculptor.apply(SupportDropOperation{1}), Error);
-  EXPECT_THROW(sculptor.apply(SupportMoveOperation{-1, table.support}), Error);
+  EXPECT_THROW(sculptor.apply(SupportMoveOperation{-1, table}), Error);
 }
 
 }  // namespace

@@ -50,6 +50,30 @@ class Shelf : public Null {
   const testing::Folder folder_;
 };
 
+TEST_F(Shelf, aSculptureStandsAsASupport) {
+  take("leaf");
+  moveTo(middle());
+  settle();
+  tap(letter('Y'));
+  settle();
+  ASSERT_EQ(atelier_.status().clay.supports.size(), 1u);
+  const clay::Support support = atelier_.status().clay.supports[0];
+  EXPECT_EQ(support.shape, Shape::freeform);
+  ASSERT_EQ(atelier_.status().supportMeshes.size(), 1u);
+  EXPECT_GT(atelier_.status().supportMeshes[0]->positions.size(), 100u);
+  const Overlays overlays = atelier_.overlays();
+  ASSERT_EQ(overlays.tools.size(), 2u) << "the tool and the support";
+  EXPECT_EQ(overlays.tools[0].mesh, atelier_.status().supportMeshes[0]);
+  const auto mesh = atelier_.status().supportMeshes[0];
+  const glm::dvec2 knob =
+      atelier_.corner() + pixelOf(atelier_.view, atelier_.extent(), support.centre);
+  drag(knob, knob + glm::dvec2(120, 0));
+  EXPECT_GT(glm::length(atelier_.status().clay.supports[0].centre - support.centre), 5);
+  EXPECT_EQ(atelier_.status().clay.supports[0].sculpture, support.sculpture);
+  EXPECT_EQ(atelier_.status().supportMeshes[0], mesh) << "made once";
+  expectReplays();
+}
+
 TEST_F(Shelf, theDrawerStandsBesideTheTools) {
   EXPECT_TRUE(atelier_.shelf.open);
   EXPECT_EQ(interface_.layout().drawer.low, glm::dvec2(60, 44));

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "bozzetto/clay/settings.hpp"
+#include "bozzetto/tool/sculpture.hpp"
 #include "bozzetto/tool/stroke.hpp"
 
 namespace bozzetto::clay {
@@ -12,10 +13,12 @@ namespace bozzetto::clay {
 struct Support {
   Shape shape = Shape::box;
   glm::dvec3 centre{0};             ///< world units
-  glm::dvec3 radii{8, 8, 8};        ///< world units; its surface
+  glm::dvec3 radii{8, 8, 8};        ///< world units; its surface; of sculptures: freeformRadii
   glm::dquat rotation{1, 0, 0, 0};  ///< w, x, y, z
+  std::shared_ptr<const Sculpture> sculpture{};  ///< of freeform ones; `centre` is its box's
 
-  friend bool operator==(const Support&, const Support&) = default;
+  /// Sculptures by their clay. O(1) for the same one, O(blocks) for copies.
+  friend bool operator==(const Support& a, const Support& b);
 };
 
 /// What a stroke meets beside the clay.
@@ -24,7 +27,7 @@ struct Setup {
   std::vector<Support> supports;
 };
 
-/// Throws Error for radii and rotations that are none.
+/// Throws Error for radii and rotations that are none, and freeform ones without a sculpture.
 void requireValid(const Support& support);
 
 /// What the tool does: its role, and how strongly a swelling one swells, 0 … 1.

@@ -1,6 +1,7 @@
 // Operations on clay that behaves like clay.
 #pragma once
 #include "bozzetto/clay/stroke.hpp"
+#include "bozzetto/sculptor/tool_operations.hpp"
 
 namespace bozzetto {
 
@@ -17,12 +18,15 @@ struct RelaxOperation {
 /// A tool that stands still from now on, for strokes that push and grip.
 struct SupportOperation {
   clay::Support support;
+  std::optional<ToolSource> source{};  ///< of freeform ones that bring no sculpture
+  std::optional<glm::dvec3> scale{};   ///< of these: their radii follow
 };
 
-/// Puts the n-th support (from 0) elsewhere, as another one if need be.
+/// Puts the n-th support (from 0) elsewhere, as another one if need be. A sculpture stays the same
+/// one where no source is given.
 struct SupportMoveOperation {
   int number = 0;
-  clay::Support support;
+  SupportOperation to;
 };
 
 /// Takes the n-th support (from 0) away.

@@ -18,8 +18,8 @@ struct SculptureOptions {
   glm::dvec3 contact{0, 0, -1};     ///< the side of the tool that meets the clay; its own frame
 };
 
-/// Immutable once made; strokes share it by pointer. Coarser copies are made when they are first
-/// asked for, by any thread.
+/// Immutable once made; strokes share it by pointer. Coarser copies and distances are made when
+/// they are first asked for, by any thread.
 class Sculpture {
  public:
   /// Duplicates the tree: pointers only. Throws Error for clay without corners, for a pivot or
@@ -52,6 +52,9 @@ class Sculpture {
   };
   /// O(corners) when first asked for.
   const Colours& colours() const;
+  /// To its surface, for those who push clay with it. Made when first asked for: milliseconds to
+  /// half a second; whoever makes a tool for that asks early.
+  const class SculptedDistance& distance() const;
 
  private:
   Clay clay_;
@@ -60,6 +63,7 @@ class Sculpture {
   mutable std::mutex making_;
   mutable std::optional<Colours> colours_;
   mutable std::vector<std::unique_ptr<const SculptureLevel>> levels_;
+  mutable std::unique_ptr<const SculptedDistance> distance_;
 };
 
 /// The part of the clay inside the box of corners; blocks wholly inside are shared. O(nodes + rim).

@@ -1,8 +1,10 @@
-// A primitive as fill sees it: the values of a block of corners, and how far the surface is.
+// A body as fill and pushed clay see it: the values of a block of corners, and how far the surface
+// is.
 #pragma once
 #include <memory>
 
 #include "bozzetto/tool/potential.hpp"
+#include "bozzetto/tool/sculpture.hpp"
 
 namespace bozzetto {
 
@@ -19,5 +21,9 @@ class Solid {
 
 /// `pose.radii` in cells are the surface.
 std::unique_ptr<Solid> makeSolid(Shape shape, const DabPose& pose);
+
+/// A sculpture, the centre of its box at the pose, half its box of influence `pose.radii`. Its
+/// distances are made when nobody did before.
+std::unique_ptr<Solid> makeSolid(std::shared_ptr<const Sculpture> sculpture, const DabPose& pose);
 
 }  // namespace bozzetto
