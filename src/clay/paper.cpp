@@ -94,47 +94,85 @@ void PaperConservation::queueAll(Region& region) {
     }
 }
 
-// In the open 6/5 of the excess in six parts, for a sixth comes back; inside tools exactly the
-// excess, outwards.
-void PaperConservation::give(Work& work, std::size_t cell) {
-  Region& region = work.region;
-  const float room = 1 - region.cover[cell], value = region.value[cell];
-  if (value <= kPaperTooMuch * room + kQuantum) return;
-  const bool inTool = region.cover[cell] > 0;
+// Outwards in tools; in the open all ways but into held cells and deep into tools.
+std::uint8_t PaperConservation::waysFrom(const Work& work, std::size_t cell) {
+  const Region& region = work.region;
+  if (region.cover[cell] > 0) return clearing_.ways(work, cell);
   std::uint8_t ways = 0;
-  if (inTool) {
-    ways = clearing_.ways(work, cell);
-  } else {
-    for (int n = 0; n < 6; ++n) {
-      const std::size_t next = cell + region.neighbours()[n];
-      const bool deeper = region.cover[next] > 0.5f;
-      if (region.hold[next] != kFixed && !deeper) ways |= static_cast<std::uint8_t>(1 << n);
-    }
-  }
-  if (ways == 0) return;
-  const float excess = value - room;
-  const float amount = std::min(value, inTool ? excess : 1.2f * excess);
-  const auto parts = static_cast<float>(std::popcount(ways));
-  const float share = std::floor(amount / parts / kQuantum) * kQuantum;
   for (int n = 0; n < 6; ++n) {
-    if ((ways >> n & 1) == 0) continue;
     const std::size_t next = cell + region.neighbours()[n];
-    region.carry(cell, next, share);
+    const bool deeper = region.cover[next] > 0.5f;
+    if (region.hold[next] != kFixed && !deeper) ways |= static_cast<std::uint8_t>(1 << n);
+  }
+  return ways;
+}
+
+// In the open 6/5 of the excess in six parts, for a sixth comes back; inside tools exactly the
+// excess.
+PaperConservation::Gift PaperConservation::giftOf(const Work& work, std::size_t cell) {
+  const Region& region = work.region;
+  const float room = 1 - region.cover[cell], value = region.value[cell];
+  if (value <= kPaperTooMuch * room + kQuantum) return {0, 0};
+  const std::uint8_t ways = waysFrom(work, cell);
+  if (ways == 0) return {0, 0};
+  const float excess = value - room;
+  const float amount = std::min(value, region.cover[cell] > 0 ? excess : over_ * excess);
+  const auto parts = static_cast<float>(std::popcount(ways));
+  return {std::floor(amount / parts / kQuantum) * kQuantum, ways};
+}
+
+// Who receives is asked next.
+void PaperConservation::give(Region& region, std::size_t cell, const Gift& gift) {
+  for (int n = 0; n < 6; ++n) {
+    if ((gift.ways >> n & 1) == 0) continue;
+    const std::size_t next = cell + region.neighbours()[n];
+    region.carry(cell, next, gift.share);
     if (region.mark2[next] == 0) queue_.push_back(static_cast<std::uint32_t>(next));
     region.mark2[next] = 1;
   }
 }
 
-void PaperConservation::run(Work& work) {
+void PaperConservation::runQueue(Work& work) {
   Region& region = work.region;
-  queueAll(region);
   std::size_t taken = 0;
   const auto most = static_cast<std::size_t>(work.settings.iterations);
   for (; taken < queue_.size() && taken < most; ++taken) {
     region.mark2[queue_[taken]] = 0;
-    give(work, queue_[taken]);
+    give(region, queue_[taken], giftOf(work, queue_[taken]));
   }
   for (; taken < queue_.size(); ++taken) region.mark2[queue_[taken]] = 0;
+}
+
+// All look first, then all give (clay.md §5 and §11, case 6).
+void PaperConservation::runSweeps(Work& work) {
+  Region& region = work.region;
+  std::int64_t taken = 0;
+  while (!queue_.empty() && taken < work.settings.iterations) {
+    now_.swap(queue_);
+    queue_.clear();
+    gifts_.clear();
+    for (const std::uint32_t cell : now_) {
+      region.mark2[cell] = 0;
+      gifts_.push_back(giftOf(work, cell));
+    }
+    for (std::size_t n = 0; n < now_.size(); ++n) {
+      if (gifts_[n].ways == 0) continue;
+      ++taken;
+      give(region, now_[n], gifts_[n]);
+      if (region.mark2[now_[n]] == 0) queue_.push_back(now_[n]);  // it may still hold too much
+      region.mark2[now_[n]] = 1;
+    }
+  }
+  for (const std::uint32_t cell : queue_) region.mark2[cell] = 0;
+}
+
+void PaperConservation::run(Work& work) {
+  Region& region = work.region;
+  queueAll(region);
+  if (giving_ == Giving::queue)
+    runQueue(work);
+  else
+    runSweeps(work);
   clearing_.forget(region);
   region.touchRows();
 }

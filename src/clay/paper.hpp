@@ -17,17 +17,34 @@ class PaperDisplacement final : public Layer {
   Displacement wish_;
 };
 
-/// A queue of cells that hold too much; each gives its excess to its neighbours (§3.2).
+/// One after the other from a queue, as §3.2 has it, or all that hold too much at once.
+enum class Giving { queue, sweeps };
+
+/// Cells that hold too much give their excess to their neighbours (§3.2).
 class PaperConservation final : public Layer {
  public:
+  /// `over`: in the open that many times the excess, for a part of it comes back.
+  explicit PaperConservation(Giving giving = Giving::queue, float over = 1.2f)
+      : giving_(giving), over_(over) {}
   void run(Work& work) override;
 
  private:
+  struct Gift {
+    float share;
+    std::uint8_t ways;  // none: the cell keeps what it has
+  };
   void queueAll(Region& region);
-  void give(Work& work, std::size_t cell);
+  std::uint8_t waysFrom(const Work& work, std::size_t cell);
+  Gift giftOf(const Work& work, std::size_t cell);
+  void give(Region& region, std::size_t cell, const Gift& gift);
+  void runQueue(Work& work);
+  void runSweeps(Work& work);
 
+  Giving giving_;
+  float over_;
   Clearing clearing_;  // knows the ways out of tools
-  std::vector<std::uint32_t> queue_;
+  std::vector<std::uint32_t> queue_, now_;
+  std::vector<Gift> gifts_;
 };
 
 /// Thin matter in flat gradients joins denser neighbours (§3.3).

@@ -75,17 +75,23 @@ void CoverPainter::paintStatic(Region& region, const std::vector<PlacedTool>& su
   staticCells_ = region.covered.size();
   before_.clear();
   if (!region.clayInRim) return;
-  // Clay that goes on beyond the region is held there.
-  forTiles(region.inner(), [&](Key tile) {
-    const KeyBox inner = region.inner();
-    if (inner.contains(tile - Key{1, 1, 1}) && inner.contains(tile + Key{8, 8, 8})) return;
-    for (int n = 0; n < 512; ++n) {
-      const std::size_t cell = region.index(tile + Key{n / 64, n / 8 % 8, n % 8});
-      for (const std::ptrdiff_t step : region.neighbours())
-        if (region.owner[cell + step] == kRim && region.value[cell + step] > kThin)
-          region.owner[cell] = kStatic;
+  for (const Axis axis : kAxes) holdFaces(region, axis);
+}
+
+// Clay that goes on beyond the region is held there.
+void CoverPainter::holdFaces(Region& region, Axis axis) {
+  const KeyBox inner = region.inner();
+  const auto a = static_cast<std::size_t>(index(axis)), b = (a + 1) % 3, c = (a + 2) % 3;
+  const Key size = inner.high - inner.low;
+  const auto& step = region.strides();
+  const std::size_t low = region.index(inner.low);
+  const std::ptrdiff_t across = size[axis] * step[a];
+  for (std::ptrdiff_t n = 0; n <= size[kAxes[b]]; ++n)
+    for (std::ptrdiff_t m = 0; m <= size[kAxes[c]]; ++m) {
+      const std::size_t first = low + n * step[b] + m * step[c], last = first + across;
+      if (region.value[first - step[a]] > kThin) region.owner[first] = kStatic;
+      if (region.value[last + step[a]] > kThin) region.owner[last] = kStatic;
     }
-  });
 }
 
 void CoverPainter::paintMoving(Region& region, const std::vector<PlacedTool>& moving) {
@@ -110,10 +116,12 @@ void CoverPainter::paintTile(Region& region, const PlacedTool& tool, std::uint8_
   float value[512];
   tool.solid->evaluate(tile - tool.solid->cell, 8, value);
   bool any = false;
+  const std::size_t first = region.index(tile);
+  const auto& step = region.strides();
   for (int n = 0; n < 512; ++n) {
     if (value[n] <= 0.25f) continue;
     any = true;
-    const std::size_t cell = region.index(tile + Key{n / 64, n / 8 % 8, n % 8});
+    const std::size_t cell = first + n / 64 * step[0] + n / 8 % 8 * step[1] + n % 8;
     before_.push_back({cell, region.cover[cell], region.owner[cell]});
     if (tool.role != Role::grip) {
       region.cover[cell] = std::max(region.cover[cell], sharpened(value[n]));

@@ -52,6 +52,7 @@ class CoverPainter {
     float cover;
     std::uint8_t owner;
   };
+  void holdFaces(Region& region, Axis axis);
   void paint(Region& region, const PlacedTool& tool, std::uint8_t owner);
   void paintTile(Region& region, const PlacedTool& tool, std::uint8_t owner, Key tile);
 

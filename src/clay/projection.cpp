@@ -317,7 +317,7 @@ BOZZETTO_KERNEL void typeKernel(const TypeRow& row) {
   }
   float* __restrict pressure = row.pressure, * __restrict next = row.pressureNext;
   for (int n = 0; n < count; ++n) {
-    pressure[n] *= type[n] == kClay ? 1.0f : 0.0f;
+    pressure[n] *= static_cast<float>(type[n] & kClay);
     next[n] = 0;
   }
 }

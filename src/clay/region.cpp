@@ -1,6 +1,7 @@
 #include "clay/region.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 namespace bozzetto::clay {
 namespace {
@@ -152,7 +153,7 @@ BOZZETTO_KERNEL Least leastKernel(const float* value) {
 
 }  // namespace
 
-void Region::lookAt(std::size_t tile) {
+bool Region::lookAt(std::size_t tile) {
   Least all;
   forRowsOfTile(tile, [&](std::size_t base) {
     const Least row = leastKernel(&value[base]);
@@ -163,8 +164,10 @@ void Region::lookAt(std::size_t tile) {
   const int found = (all.clay > 0 ? kHasClay : 0) | (all.dense > 0 ? kDense : 0) |
                     (all.least >= 0.5f ? kSolid : 0);
   constexpr int looked = kHasClay | kDense | kSolid | kTouched;
+  const bool same = (flags_[tile] & (looked & ~kTouched)) == found;
   flags_[tile] = static_cast<std::uint16_t>((flags_[tile] & ~looked) | found);
   countOf_[tile] = all.clay;
+  return !same;
 }
 
 void Region::clear(std::size_t tile) {
@@ -181,16 +184,27 @@ void Region::refreshRows() {
       if ((flags_[tile] & kTouched) == 0) touched_.push_back(tile);
   touchedRows_ = false;
   if (touched_.empty()) return;
+  std::atomic<bool> other = false;
   parallelFor(touched_.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) lookAt(touched_[n]);
+    bool some = false;
+    for (std::size_t n = begin; n < end; ++n) some = lookAt(touched_[n]) || some;
+    if (some) other = true;
   });
   for (const std::uint32_t tile : touched_) {
-    if ((flags_[tile] & kListed) == 0) listed_.push_back(tile);
+    if ((flags_[tile] & kListed) == 0) {
+      listed_.push_back(tile);
+      other = true;
+    }
     if ((flags_[tile] & kChanged) == 0) changed_.push_back(tile);
     flags_[tile] |= kChanged;
   }
   touched_.clear();
-  list();
+  if (other) {
+    list();
+    return;
+  }
+  clayCells_ = 0;
+  for (const std::uint32_t tile : listed_) clayCells_ += countOf_[tile];
 }
 
 // Marks tiles with clay and their neighbours, clears those that are left, lists rows.

@@ -119,7 +119,7 @@ class Region {
   std::size_t tileIndex(std::int32_t i, std::int32_t j, std::int32_t k) const;
   std::uint32_t tileOf(std::size_t cell) const;
   std::array<std::uint32_t, 27> around(std::uint32_t tile) const;
-  void lookAt(std::size_t tile);
+  bool lookAt(std::size_t tile);
   void list();
   void classify(std::uint32_t tile);
   void clear(std::size_t tile);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kLayers[] = {"displacement", "conservation", "tension", "diffusion",
                                         "automaton"};
-constexpr std::string_view kSchemes[] = {"projected", "paper"};
+constexpr std::string_view kSchemes[] = {"projected", "paper", "paper_sweeps"};
 constexpr std::string_view kRules[] = {"capped", "literal"};
 
 template <class Enum, std::size_t Count>

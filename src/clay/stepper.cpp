@@ -32,7 +32,7 @@ class Tension final : public Layer {
  public:
   explicit Tension(Scheme scheme) : scheme_(scheme) {}
   void run(Work& work) override {
-    if (scheme_ == Scheme::paper)
+    if (scheme_ != Scheme::projected)
       paper_.run(work);
     else
       sweepDust(work);
@@ -49,13 +49,16 @@ class Tension final : public Layer {
 }  // namespace
 
 std::unique_ptr<Layer> makeLayer(LayerKind kind, Scheme scheme) {
-  const bool paper = scheme == Scheme::paper;
+  const bool paper = scheme != Scheme::projected;
   switch (kind) {
     case LayerKind::displacement:
       if (paper) return std::make_unique<PaperDisplacement>();
       return std::make_unique<Displacement>();
     case LayerKind::conservation:
-      if (paper) return std::make_unique<PaperConservation>();
+      if (paper) {
+        const bool sweeps = scheme == Scheme::paperSweeps;
+        return std::make_unique<PaperConservation>(sweeps ? Giving::sweeps : Giving::queue);
+      }
       return std::make_unique<Conservation>();
     case LayerKind::tension:
       return std::make_unique<Tension>(scheme);

@@ -1,6 +1,8 @@
 #include "clay/tidying.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 
 namespace bozzetto::clay {
 namespace {
@@ -8,15 +10,34 @@ namespace {
 constexpr float kDust = 0.05f, kFaint = 1e-3f, kDense = 0.5f;
 constexpr int kFarthestClay = 40;  // cells a crumb may be away from what eats it
 
+// The ways a cell's dust may go, a bit each: all, but what a grip holds stays in its row along the
+// motion. A row that is ahead would take from those beside it at every step, and grow a thorn.
+std::uint8_t waysOfDust(const Work& work, std::size_t cell) {
+  constexpr std::uint8_t all = 63;
+  const std::uint8_t owner = work.region.owner[cell];
+  if (owner < kMoving || owner == kRim) return all;
+  const PlacedTool& tool = work.moving[owner - kMoving];
+  if (tool.role != Role::grip) return all;
+  const Key place = work.region.key(cell) - work.origin;
+  const glm::dvec3 motion = tool.motion.at(glm::dvec3(place.i, place.j, place.k));
+  int axis = 0;
+  for (int n = 1; n < 3; ++n)
+    if (std::abs(motion[n]) > std::abs(motion[axis])) axis = n;
+  return motion[axis] == 0 ? all : static_cast<std::uint8_t>(3 << 2 * axis);
+}
+
 // The neighbour that a cell of dust joins, as 1 + direction; 0 for none. Ties go to the first.
-std::uint8_t refuge(const Region& region, std::size_t cell) {
+std::uint8_t refuge(const Work& work, std::size_t cell) {
+  const Region& region = work.region;
   const float own = region.value[cell];
   if (own <= 0 || own >= kDust || region.hold[cell] == kFixed) return 0;
   float densest = own;
   std::uint8_t best = 0;
+  const std::uint8_t ways = waysOfDust(work, cell);
   for (std::uint8_t way = 0; way < 6; ++way) {
     const std::size_t next = cell + region.neighbours()[way];
-    if (region.hold[next] == kFixed || region.cover[next] > 0 || region.value[next] <= densest)
+    if ((ways >> way & 1) == 0 || region.hold[next] == kFixed || region.cover[next] > 0 ||
+        region.value[next] <= densest)
       continue;
     densest = region.value[next];
     best = static_cast<std::uint8_t>(way + 1);
@@ -29,6 +50,19 @@ bool anyDust(const float* value, int count) {
   int dust = 0;
   for (int n = 0; n < count; ++n) dust += value[n] > 0 && value[n] < kDust ? 1 : 0;
   return dust > 0;
+}
+
+// Any of eight cells, or of those round them, joins another.
+bool moves(const Region& region, std::size_t first) {
+  std::uint64_t any = 0;
+  const auto look = [&](std::size_t cell) {
+    std::uint64_t eight;
+    std::memcpy(&eight, &region.mark[cell], sizeof eight);
+    any |= eight;
+  };
+  look(first);
+  for (const std::ptrdiff_t step : region.neighbours()) look(first + step);
+  return any != 0;
 }
 
 // Gathers from the six neighbours what joins this cell, or gives all away.
@@ -62,7 +96,7 @@ void sweepDust(Work& work) {
   forRows(region.bandRows(), [&](const Row& row) {
     const bool any = anyDust(&region.value[row.base], row.count);
     for (std::size_t n = row.base; n < row.base + row.count; ++n)
-      region.mark[n] = any ? refuge(region, n) : std::uint8_t{0};
+      region.mark[n] = any ? refuge(work, n) : std::uint8_t{0};
   });
   if (region.colour[0])
     for (auto& channel : region.colour) {
@@ -75,7 +109,13 @@ void sweepDust(Work& work) {
       });
     }
   forRows(region.bandRows(), [&](const Row& row) {
-    for (std::size_t n = row.base; n < row.base + row.count; ++n) gather(region, n);
+    for (std::size_t n = row.base; n < row.base + row.count; n += Region::kTile) {
+      if (moves(region, n)) {
+        for (std::size_t cell = n; cell < n + Region::kTile; ++cell) gather(region, cell);
+      } else {
+        std::copy_n(&region.value[n], Region::kTile, &region.scratch[n]);
+      }
+    }
   });
   forRows(region.bandRows(), [&](const Row& row) {
     std::copy_n(&region.scratch[row.base], row.count, &region.value[row.base]);

@@ -33,8 +33,11 @@ ClayOperation readClay(JsonObject& object) {
   using namespace clay;
   Settings s;
   s.layers = readLayers(object);
-  s.scheme = object.choice<Scheme>(
-      "scheme", {{"projected", Scheme::projected}, {"paper", Scheme::paper}}, s.scheme);
+  s.scheme = object.choice<Scheme>("scheme",
+                                   {{"projected", Scheme::projected},
+                                    {"paper", Scheme::paper},
+                                    {"paper_sweeps", Scheme::paperSweeps}},
+                                   s.scheme);
   s.stiffness = object.number("stiffness", s.stiffness);
   s.distanceOffset = object.number("distance_offset", s.distanceOffset);
   s.parting = object.number("parting", s.parting);

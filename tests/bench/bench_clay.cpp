@@ -90,6 +90,19 @@ Scene print(double side) {
   return scene;
 }
 
+// A grip on a body of 256³: as much of it as a region holds follows.
+Scene bendVeryLarge() {
+  Scene scene;
+  scene.box({128, 128, 128}, glm::dvec3(128));
+  scene.hold({-4, -4, -4}, {20, 260, 260});
+  scene.tool.shape = Shape::box;
+  scene.tool.radii = {20, 60, 60};
+  scene.role = clay::Role::grip;
+  scene.line({220, 128, 128}, {220, 129, 128});
+  scene.setup.settings.stiffness = 1;
+  return scene;
+}
+
 // Half of a body of 128 × 64 × 128 follows a grip.
 Scene bendLarge() {
   Scene scene;
@@ -204,6 +217,14 @@ BENCHMARK_CAPTURE(steps, print_16_on_512, print(512))
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(steps, bend_half_of_128, bendLarge())
+    ->Unit(kMs)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(steps, print_16_on_256, print(256))
+    ->Unit(kMs)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(steps, bend_on_256, bendVeryLarge())
     ->Unit(kMs)
     ->MeasureProcessCPUTime()
     ->UseRealTime();

@@ -120,9 +120,8 @@ TEST(KnownAnswers, ThincOutflow) {
     Steepness by;
     std::array<float, 3> falling, rising;
   };
-  const Case cases[] = {
-      {kSoft, {.034608f, .122851f, .284608f}, {.215392f, .377149f, .465392f}},
-      {kHard, {.018639f, .094771f, .268639f}, {.231361f, .405229f, .481361f}}};
+  const Case cases[] = {{kSoft, {.034608f, .122851f, .284608f}, {.215392f, .377149f, .465392f}},
+                        {kHard, {.018639f, .094771f, .268639f}, {.231361f, .405229f, .481361f}}};
   for (const Case& each : cases) {
     for (std::size_t n = 0; n < 3; ++n) {
       const float density = 0.25f * static_cast<float>(n + 1);
@@ -151,6 +150,53 @@ TEST(KnownAnswers, QueueOfThePaperComesToRest) {
        {Key{3, 6, 6}, Key{9, 6, 6}, Key{6, 3, 6}, Key{6, 9, 6}, Key{6, 6, 3}, Key{6, 6, 9}})
     EXPECT_NEAR(bench.at(out), .014144, 1e-4);
   EXPECT_EQ(bench.mass(), 126);
+}
+
+// clay.md §11, case 6: a block of five cells a side whose middle holds two.
+struct Pulled {
+  double middle, side, outside;  // the middle, a cell beside it, one outside the middle of a face
+  double most;
+};
+
+Pulled afterPulls(float over, int most) {
+  Bench bench;
+  bench.fill({4, 4, 4}, {8, 8, 8});
+  bench.at({6, 6, 6}) = 2;
+  bench.settings.iterations = most;
+  Work work = bench.work();
+  PaperConservation(Giving::sweeps, over).run(work);
+  EXPECT_EQ(bench.mass(), 126);
+  float highest = 0;
+  for (Key key{3, 3, 3}; key.i < 10; ++key.i)
+    for (key.j = 3; key.j < 10; ++key.j)
+      for (key.k = 3; key.k < 10; ++key.k) highest = std::max(highest, bench.at(key));
+  for (const Key& way : {Key{1, 0, 0}, Key{0, 1, 0}, Key{0, 0, 1}, Key{-1, 0, 0}, Key{0, 0, -1}}) {
+    EXPECT_EQ(bench.at(Key{6, 6, 6} + way), bench.at({6, 5, 6})) << "the same on all six sides";
+    EXPECT_EQ(bench.at(Key{6, 6, 6} + way * 3), bench.at({6, 3, 6}));
+  }
+  return {bench.at({6, 6, 6}), bench.at({6, 5, 6}), bench.at({6, 3, 6}), highest};
+}
+
+void expectPulled(const Pulled& found, const Pulled& known) {
+  constexpr double rounding = 2e-5;  // shares are multiples of 2^-20
+  EXPECT_NEAR(found.middle, known.middle, rounding);
+  EXPECT_NEAR(found.side, known.side, rounding);
+  EXPECT_NEAR(found.outside, known.outside, rounding);
+}
+
+TEST(KnownAnswers, PullsSweepBySweep) {
+  // The first sweep is of one cell, the second of six or seven.
+  expectPulled(afterPulls(1, 1), {1, 1.166667, 0, 0});
+  expectPulled(afterPulls(1, 2), {1.166667, 1, 0, 0});
+  expectPulled(afterPulls(1, 8), {1, 1.069444, .004630, 0});
+  expectPulled(afterPulls(1.2f, 1), {.8, 1.2, 0, 0});
+  expectPulled(afterPulls(1.2f, 2), {1.04, .96, 0, 0});
+  expectPulled(afterPulls(1.2f, 8), {.992, 1.04, .008, 0});
+  const Pulled rest = afterPulls(1, 200'000), over = afterPulls(1.2f, 200'000);
+  expectPulled(rest, {1, 1.003075, .011638, 0});
+  EXPECT_NEAR(rest.most, 1.00874, 1e-4);
+  expectPulled(over, {.997152, .999666, .014144, 0});
+  EXPECT_NEAR(over.most, 1.00923, 1e-4);
 }
 
 // Outflow through a face after the projection, with nothing wished.

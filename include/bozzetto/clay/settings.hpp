@@ -15,9 +15,11 @@ namespace bozzetto::clay {
 /// automaton      Margolus blocks share what is too much (Takai)
 enum class LayerKind { displacement, conservation, tension, diffusion, automaton };
 
-/// projected  the same roles made to hold at today's sizes: see src/clay/NOTES.md
-/// paper      Dewaele & Cani to the letter
-enum class Scheme { projected, paper };
+/// projected     the same roles made to hold at today's sizes: see src/clay/NOTES.md
+/// paper         Dewaele & Cani to the letter
+/// paper_sweeps  the same, but all cells that hold too much give at once, sweep after sweep: what
+///               comes of mirrored clay is mirrored to the bit
+enum class Scheme { projected, paper, paperSweeps };
 
 /// How Takai's blocks share: `literal` gives α·m, `capped` no more than the excess over full.
 enum class SharingRule { capped, literal };
