@@ -1,6 +1,7 @@
 // Text drawn by FreeType, whose types stop here.
 #include <ft2build.h>
 #include FT_FREETYPE_H
+#include FT_MODULE_H
 
 #include <algorithm>
 #include <cstdlib>
@@ -19,6 +20,8 @@ struct Font {
 
   explicit Font(const std::filesystem::path& path) {
     if (FT_Init_FreeType(&library) != 0) throw Error("text: FreeType does not start");
+    FT_UInt reach = kTextReach;
+    FT_Property_Set(library, "sdf", "spread", &reach);
     if (FT_New_Face(library, path.c_str(), 0, &face) != 0) {
       FT_Done_FreeType(library);
       throw Error("text: font " + path.string() + " cannot be read");
@@ -69,16 +72,19 @@ char32_t nextCharacter(const std::string& text, std::size_t& at) {
 
 struct Glyph {
   GreyImage image;
-  int left, top;  // of its picture, pixels from the pen, upward
+  int left = 0, top = 0;  // of its picture, pixels from the pen, upward
 };
 
 Glyph render(Font& font, char32_t character) {
   const FT_UInt index = FT_Get_Char_Index(font.face, character);
   if (index == 0) throw Error("text: the font lacks a character of it");
-  if (FT_Load_Glyph(font.face, index, FT_LOAD_RENDER | FT_LOAD_NO_HINTING) != 0) {
+  const bool loaded = FT_Load_Glyph(font.face, index, FT_LOAD_NO_HINTING) == 0;
+  const FT_GlyphSlot slot = font.face->glyph;
+  const bool blank = loaded && slot->outline.n_contours == 0;  // of which no distance is known
+  if (!loaded || (!blank && FT_Render_Glyph(slot, FT_RENDER_MODE_SDF) != 0)) {
     throw Error("text: the font's glyph cannot be drawn");
   }
-  const FT_GlyphSlot slot = font.face->glyph;
+  if (blank) return {};
   const FT_Bitmap& bitmap = slot->bitmap;
   Glyph glyph{{int(bitmap.width), int(bitmap.rows), {}}, slot->bitmap_left, slot->bitmap_top};
   for (unsigned y = 0; y < bitmap.rows; ++y)

@@ -11,11 +11,10 @@ namespace {
 // Black lies so many cells under the plane, so that edges are as steep as others.
 constexpr double kBlack = 2;
 
-// The surface over the plane, in cells.
-class Heights {
+// A picture on the cells of the plane.
+class Greys {
  public:
-  Heights(const GreyImage& image, double pixelsPerCell, double white)
-      : image_(&image), pixels_(pixelsPerCell), white_(white) {}
+  Greys(const GreyImage& image, double pixelsPerCell) : image_(&image), pixels_(pixelsPerCell) {}
 
   // Mean of the pixels of a cell, bilinear where cells are smaller.
   double at(double x, double y) const {
@@ -26,7 +25,7 @@ class Heights {
         const double u = x + ((i + 0.5) / samples - 0.5), v = y + ((j + 0.5) / samples - 0.5);
         sum += grey(0.5 * image_->width + u * pixels_, 0.5 * image_->height - v * pixels_);
       }
-    return sum / (samples * samples) * (white_ + kBlack) - kBlack;
+    return sum / (samples * samples);
   }
 
  private:
@@ -44,7 +43,21 @@ class Heights {
   }
 
   const GreyImage* image_;
-  double pixels_, white_;
+  double pixels_;
+};
+
+// The surface over the plane, in cells.
+struct Heights {
+  Greys greys;
+  double white;
+  double at(double x, double y) const { return greys.at(x, y) * (white + kBlack) - kBlack; }
+};
+
+// Distance to the outline of letters, in cells.
+struct Outline {
+  Greys greys;
+  double pixels;  // a cell
+  double at(double x, double y) const { return (0.5 - greys.at(x, y)) * 2 * kTextReach / pixels; }
 };
 
 void requireValid(const GreyImage& image, const ReliefOptions& o) {
@@ -58,8 +71,17 @@ void requireValid(const GreyImage& image, const ReliefOptions& o) {
   if (!(cells <= 1 << 28)) throw Error("relief: more than 2^28 cells; a larger spacing expected");
 }
 
-void raiseColumn(Edit<CornerBlock<8>>& edit, const Heights& heights, Key foot, Attributes colour) {
+void raise(Edit<CornerBlock<8>>& edit, Key corner, double distance, Attributes colour) {
   using Geometry = BlockGeometry<8>;
+  const double value = std::clamp(0.5 - distance / 2, 0.0, 1.0);
+  if (!(value > 0)) return;
+  CornerBlock<8>& block = edit.write(Geometry::blockOf(corner));
+  const auto at = static_cast<std::size_t>(Geometry::indexOf(corner));
+  block.value[at] = static_cast<float>(value);
+  block.attributes[at] = colour;
+}
+
+void raiseColumn(Edit<CornerBlock<8>>& edit, const Heights& heights, Key foot, Attributes colour) {
   const int i = foot.i, j = foot.j;
   const double h = heights.at(i, j);
   const double right = heights.at(i + 1, j), left = heights.at(i - 1, j);
@@ -68,36 +90,73 @@ void raiseColumn(Edit<CornerBlock<8>>& edit, const Heights& heights, Key foot, A
   const double along = 1 / std::sqrt(1 + dx * dx + dy * dy);
   // Beside a cliff the slope is no measure of what lies over it.
   const double top = std::max({h, right, left, above, below});
-  for (int k = -1; k <= top + 1; ++k) {
-    const double distance = std::max({(k - h) * along, k - top, -double(k)});
-    const double value = std::clamp(0.5 - distance / 2, 0.0, 1.0);
-    if (!(value > 0)) continue;
-    const Key corner{i, j, k};
-    CornerBlock<8>& block = edit.write(Geometry::blockOf(corner));
-    const auto at = static_cast<std::size_t>(Geometry::indexOf(corner));
-    block.value[at] = static_cast<float>(value);
-    block.attributes[at] = colour;
+  for (int k = -1; k <= top + 1; ++k)
+    raise(edit, {i, j, k}, std::max({(k - h) * along, k - top, -double(k)}), colour);
+}
+
+// A prism with rounded edges, which cells could not show sharp: distances across and up, less the
+// rounding, make a corner.
+struct Letters {
+  Outline outline;
+  double top, rounding;
+
+  void raiseColumn(Edit<CornerBlock<8>>& edit, Key foot, Attributes colour) const {
+    const double across = outline.at(foot.i, foot.j) + rounding;
+    for (int k = -1; across < rounding + 1 && k <= top + 1; ++k) {
+      const double up = std::abs(k - 0.5 * top) - 0.5 * top + rounding;
+      const double round = std::hypot(std::max(across, 0.0), std::max(up, 0.0));
+      const double distance = std::min(std::max(across, up), 0.0) + round - rounding;
+      raise(edit, {foot.i, foot.j, k}, distance, colour);
+    }
   }
+};
+
+// The columns that a picture stands on.
+struct Ground {
+  Ground(const GreyImage& image, const ReliefOptions& options) {
+    requireValid(image, options);
+    const double across = options.width / options.spacing;
+    const double up = across * image.height / image.width;
+    pixels = image.width / across;
+    white = options.height / options.spacing;
+    wide = static_cast<int>(std::ceil(across / 2)) + 1;
+    tall = static_cast<int>(std::ceil(up / 2)) + 1;
+  }
+  double pixels, white;
+  int wide, tall;
+};
+
+template <class Column>
+Clay columns(const Ground& ground, double spacing, Column&& column) {
+  Clay clay;
+  clay.scale.spacing = spacing;
+  Edit<CornerBlock<8>> edit(clay.tree);
+  for (int i = -ground.wide; i <= ground.wide; ++i)
+    for (int j = -ground.tall; j <= ground.tall; ++j) column(edit, Key{i, j, 0});
+  edit.commit();
+  if (clay.tree.empty()) throw Error("relief: the picture is black, some grey expected");
+  return clay;
 }
 
 }  // namespace
 
 Clay relief(const GreyImage& image, const ReliefOptions& options) {
-  requireValid(image, options);
-  const double across = options.width / options.spacing;
-  const double up = across * image.height / image.width;
-  const Heights heights(image, image.width / across, options.height / options.spacing);
-  const int wide = static_cast<int>(std::ceil(across / 2)) + 1;
-  const int tall = static_cast<int>(std::ceil(up / 2)) + 1;
+  const Ground ground(image, options);
+  const Heights heights{{image, ground.pixels}, ground.white};
   const Attributes colour = packAttributes(options.colour);
-  Clay clay;
-  clay.scale.spacing = options.spacing;
-  Edit<CornerBlock<8>> edit(clay.tree);
-  for (int i = -wide; i <= wide; ++i)
-    for (int j = -tall; j <= tall; ++j) raiseColumn(edit, heights, {i, j, 0}, colour);
-  edit.commit();
-  if (clay.tree.empty()) throw Error("relief: the picture is black, some grey expected");
-  return clay;
+  return columns(ground, options.spacing, [&](Edit<CornerBlock<8>>& edit, Key foot) {
+    raiseColumn(edit, heights, foot, colour);
+  });
+}
+
+Clay standingText(const GreyImage& outline, const ReliefOptions& options) {
+  const Ground ground(outline, options);
+  const Letters letters{
+      {{outline, ground.pixels}, ground.pixels}, ground.white, std::min(1.5, ground.white / 2)};
+  const Attributes colour = packAttributes(options.colour);
+  return columns(ground, options.spacing, [&](Edit<CornerBlock<8>>& edit, Key foot) {
+    letters.raiseColumn(edit, foot, colour);
+  });
 }
 
 }  // namespace bozzetto

@@ -65,7 +65,7 @@ void run(const TextOperation& operation, Workbench<Side>& bench, const Telling& 
   if (!(operation.size > 0)) throw Error("text: size above 0 expected");
   const GreyImage image = drawText(operation.text, options);
   const double width = image.width * operation.size / options.pixels;
-  const Clay letters = relief(image, {width, operation.depth, spacing, operation.colour});
+  const Clay letters = standingText(image, {width, operation.depth, spacing, operation.colour});
   CombineOperation as;
   as.pose = operation.pose;
   combineWith(std::make_shared<const Sculpture>(letters), as, bench, telling);

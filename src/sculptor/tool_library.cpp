@@ -63,7 +63,7 @@ ShelfTool letters(const fs::path& folder, const ToolSource& source) {
   const double width = image.width * source.letterSize / options.pixels;
   ShelfTool tool;
   tool.name = source.text;
-  tool.clay = relief(image, {width, source.letterDepth, source.letterSize / 64, {}});
+  tool.clay = standingText(image, {width, source.letterDepth, source.letterSize / 64, {}});
   tool.pivot = glm::dvec3(0);
   return tool;
 }

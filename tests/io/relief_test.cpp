@@ -57,7 +57,26 @@ TEST(Text, drawsLettersInOrder) {
   EXPECT_GT(blank.width, two.width);
   EXPECT_EQ(one.height, two.height);
   EXPECT_EQ(one.at(0, 0), 0);
-  EXPECT_GT(one.at(one.width / 2, one.height / 2), 0.9f);
+  EXPECT_GT(one.at(one.width / 2, one.height / 2), 0.6f);
+}
+
+// Along a slanted stroke the outline is straight: no corner's distance is off by a tenth of a cell.
+TEST(Text, sidesAreStraightAndUpright) {
+  const GreyImage image = drawText("/");
+  const Clay clay = standingText(image, {20.0 * image.width / 128, 6, 0.5, {}});
+  EXPECT_EQ(validate(clay), std::nullopt);
+  const auto rightOf = [&](int j, int k) {  // where the surface crosses a row
+    int i = 60;
+    while (clay.value({i, j, k}) < 0.5f) --i;
+    const float in = clay.value({i, j, k}), out = clay.value({i + 1, j, k});
+    return double(i) + double((in - 0.5f) / (in - out));
+  };
+  const double slope = (rightOf(15, 6) - rightOf(-15, 6)) / 30;
+  EXPECT_GT(slope, 0.2);
+  for (int j = -15; j <= 15; ++j) {
+    EXPECT_NEAR(rightOf(j, 6), rightOf(-15, 6) + slope * (j + 15), 0.1);
+    EXPECT_EQ(rightOf(j, 5), rightOf(j, 7));
+  }
 }
 
 TEST(Text, refusesWhatIsNone) {

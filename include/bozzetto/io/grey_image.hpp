@@ -28,9 +28,12 @@ struct TextOptions {
   int pixels = 128;  ///< height of a capital letter with its room, 8…1024
 };
 
-/// The text in one line (UTF-8, at most 256 characters, no control characters), anti-aliased, white
-/// on black, with a margin. Throws Error for fonts that cannot be read and characters they do not
-/// have.
+/// Pixels from the outline of a letter to white inside it and to black outside.
+inline constexpr int kTextReach = 32;
+
+/// The text in one line (UTF-8, at most 256 characters, no control characters) as distances to its
+/// outline: ½ there, growing inward, by 1/(2·kTextReach) a pixel. Throws Error for fonts that
+/// cannot be read and characters they do not have.
 GreyImage drawText(const std::string& text, const TextOptions& options = {});
 
 /// Where packaged fonts are looked for, in this order: $BOZZETTO_FONT, then DejaVu Sans Bold

@@ -17,4 +17,8 @@ struct ReliefOptions {
 /// Throws Error for numbers that are not above 0 and for reliefs of more than 2²⁸ cells.
 Clay relief(const GreyImage& image, const ReliefOptions& options);
 
+/// Text, drawn as distances (`drawText`), as letters with upright sides that stand on z = 0, their
+/// edges rounded by a cell and a half where there is room: sharp ones would be serrated. Throws Error as `relief` does.
+Clay standingText(const GreyImage& outline, const ReliefOptions& options);
+
 }  // namespace bozzetto
