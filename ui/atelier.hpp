@@ -56,6 +56,7 @@ enum class Dialog {
   replay,
   shareTool,
   keepFile,
+  combine,
   unsaved,
   recovered,   ///< work came back that was not saved
   leftBehind,  ///< so did work without a name
@@ -191,6 +192,8 @@ class Atelier {
   void keepClay(const std::string& name, std::vector<std::string> tags, ShelfDrawer::Part part);
   /// A tool's file, a scene, a recording, a mesh or a grey picture.
   void keepFile(const std::filesystem::path& path);
+  /// The same kinds of files as volumes, where they stand in their own world.
+  void combineFile(const std::filesystem::path& path, Combining how);
   void keepLetters(const std::string& text, double size, double depth);
   void renameTool(const ToolEntry& entry, const std::string& to, std::vector<std::string> tags);
   void dropTool(const ToolEntry& entry);

@@ -85,6 +85,8 @@ Dialog dialogOf(Command command) {
       return Dialog::saveAs;
     case Command::importMesh:
       return Dialog::import;
+    case Command::combineFile:
+      return Dialog::combine;
     case Command::exportMesh:
       return Dialog::exportMesh;
     case Command::screenshot:

@@ -128,6 +128,14 @@ void Atelier::combineTool(Combining how) {
   apply(combine);
 }
 
+void Atelier::combineFile(const std::filesystem::path& path, Combining how) {
+  dialog = Dialog::none;
+  CombineOperation combine;
+  combine.with.from = std::filesystem::absolute(path).string();
+  combine.how = how;
+  apply(combine);
+}
+
 bool Atelier::runParts(Command command) {
   switch (command) {
     case Command::lasso:

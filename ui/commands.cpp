@@ -23,6 +23,10 @@ constexpr auto kCommands = std::to_array<CommandRow>({
      "Ctrl+Alt+S"},
     {importMesh, file, "import", "Import a mesh…",
      "Turns a mesh (OBJ, PLY, STL, OFF, GLB) into clay.", "Ctrl+I", "Ctrl+I"},
+    {combineFile, file, "combine_file", "Combine with a file…",
+     "Unites the clay with another scene, a tool or a mesh, takes its form away, or leaves only "
+     "what is inside it.",
+     "Ctrl+4", "Ctrl+4"},
     {exportMesh, file, "export", "Export a mesh…",
      "Writes the surface as OBJ, PLY, STL, GLB or IV.", "Ctrl+E", "Ctrl+E"},
     {screenshot, file, "screenshot", "Picture of the clay…",

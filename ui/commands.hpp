@@ -18,6 +18,7 @@ enum class Command {
   saveAs,
   saveNumbered,
   importMesh,
+  combineFile,
   exportMesh,
   screenshot,
   screenshotWindow,

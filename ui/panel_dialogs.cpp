@@ -19,6 +19,9 @@ struct Purpose {
   std::vector<std::string> endings;
 };
 
+const std::vector<std::string> kVolumes{".bzt", ".png", ".obj", ".ply",
+                                        ".stl", ".off", ".glb", ".jsonl"};
+
 const std::vector<Purpose>& purposes() {
   static const std::vector<Purpose> all{
       {Dialog::open, "Open a scene", "Open", "", {".bzt"}},
@@ -37,11 +40,8 @@ const std::vector<Purpose>& purposes() {
       {Dialog::record, "Save the recording", "Save", ".jsonl", {".jsonl"}},
       {Dialog::replay, "Replay a recording", "Replay", "", {".jsonl"}},
       {Dialog::shareTool, "Save the tool", "Save", ".bzt", {".bzt"}},
-      {Dialog::keepFile,
-       "Put a file on the shelf",
-       "Keep",
-       "",
-       {".bzt", ".png", ".obj", ".ply", ".stl", ".off", ".glb", ".jsonl"}},
+      {Dialog::keepFile, "Put a file on the shelf", "Keep", "", kVolumes},
+      {Dialog::combine, "Combine with a file", "Combine", "", kVolumes},
   };
   return all;
 }
@@ -61,6 +61,7 @@ struct FileDialog {
   bool askedToReplace = false, focusName = false, focusVerb = false;
   int cells = 192, frames = 36, width = 1920, height = 1080;
   double keep = 1;
+  Combining how = Combining::unite;
 };
 
 std::string suggestedName(const Atelier& atelier, const Purpose& purpose) {
@@ -116,6 +117,8 @@ void perform(Atelier& atelier, const FileDialog& state, const fs::path& path) {
       return atelier.shareTool(atelier.shelf.about.value(), path);
     case Dialog::keepFile:
       return atelier.keepFile(path);
+    case Dialog::combine:
+      return atelier.combineFile(path, state.how);
     default:
       return;
   }
@@ -173,7 +176,7 @@ void entryLine(FileDialog& state, int n, bool& accepted) {
 
 bool hasExtras(Dialog dialog) {
   return dialog == Dialog::import || dialog == Dialog::exportMesh || dialog == Dialog::picture ||
-         dialog == Dialog::turntable;
+         dialog == Dialog::turntable || dialog == Dialog::combine;
 }
 
 bool fileList(FileDialog& state) {
@@ -199,12 +202,27 @@ bool fileList(FileDialog& state) {
   return accepted;
 }
 
+void howToCombine(Combining& how) {
+  constexpr std::array<std::pair<const char*, Combining>, 3> kWays{
+      {{"Unite", Combining::unite},
+       {"Subtract", Combining::subtract},
+       {"Intersect", Combining::intersect}}};
+  for (const auto& [label, way] : kWays) {
+    if (ImGui::RadioButton(label, how == way)) how = way;
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
+}
+
 void extras(FileDialog& state) {
   ImGui::PushItemWidth(px(110));
   switch (state.open) {
     case Dialog::import:
       ImGui::InputInt("cells along the longest side", &state.cells, 16, 64);
       state.cells = std::clamp(state.cells, 8, 2048);
+      break;
+    case Dialog::combine:
+      howToCombine(state.how);
       break;
     case Dialog::exportMesh: {
       int part = int(state.keep * 100 + .5);

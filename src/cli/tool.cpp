@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 struct MakeArguments {
   ToolSource source;
-  std::string out, name, tags, preset;
+  std::string out, name, tags, preset, lasso;
   std::vector<double> region, pivot, contact;
 };
 
@@ -36,6 +36,15 @@ std::vector<std::string> wordsOf(const std::string& list) {
   return words;
 }
 
+// A region as recordings have it, read by the reader of recordings.
+WorldRegion regionFrom(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("lasso"))
+    throw Error(R"(--lasso: {"lasso":[[x,y],…],"view":{…}} expected)");
+  const Json line{{"op", "tool"}, {"shape", "freeform"}, {"region", json}};
+  return *std::get<ToolOperation>(parseOperation(line.dump(), "--lasso")).source->region;
+}
+
 // A recording's operations, header and all, as a preset.
 std::vector<Operation> presetFrom(const std::string& path) {
   return path.empty() ? std::vector<Operation>{} : readRecording(path).operations;
@@ -48,6 +57,7 @@ void make(const MakeArguments& arguments) {
     const auto& r = arguments.region;
     source.region = WorldRegion{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
   }
+  if (!arguments.lasso.empty()) source.region = regionFrom(arguments.lasso);
   source.pivot = vectorOf(arguments.pivot);
   source.contact = vectorOf(arguments.contact);
   if (source.from.empty() == source.text.empty())
@@ -138,8 +148,13 @@ void addMake(CLI::App& tool) {
   command->add_option("-o,--out", a->out, "The tool's file; the user's library without");
   command->add_option("--name", a->name, "What it is called");
   command->add_option("--tags", a->tags, "Words, separated by commas");
-  command->add_option("--region", a->region, "That part of the source: min x y z, max x y z")
-      ->expected(6);
+  CLI::Option* box =
+      command->add_option("--region", a->region, "That part of the source: min x y z, max x y z")
+          ->expected(6);
+  command
+      ->add_option("--lasso", a->lasso,
+                   "That part, seen through an outline: a region as recordings have it")
+      ->excludes(box);
   command->add_option("--pivot", a->pivot, "The place that lies on strokes: x y z")->expected(3);
   command->add_option("--contact", a->contact, "Direction to the clay (0 0 -1)")->expected(3);
   command->add_option("--cells", a->source.cells, "Along the longest side of meshes and pictures");

@@ -65,7 +65,7 @@ std::unique_ptr<Action> makeAction(const ActionOptions& options, double iso) {
     case ActionKind::smooth:
       return makeSmooth();
     case ActionKind::stamp:
-      return makeStamp(iso);
+      return makeStamp(options.stamp.profile, iso);
     case ActionKind::hold:
       return makeHold();
     default:

@@ -10,7 +10,7 @@ std::unique_ptr<Action> makeErase();
 std::unique_ptr<Action> makePaint(Colour colour);
 std::unique_ptr<Action> makePaintSoft(Colour colour);
 std::unique_ptr<Action> makeSmooth();
-std::unique_ptr<Action> makeStamp(double iso);
+std::unique_ptr<Action> makeStamp(StampProfile profile, double iso);
 /// Add, paint or paintSoft.
 std::unique_ptr<Action> makeOwnColours(ActionKind kind);
 std::unique_ptr<Action> makeHold();

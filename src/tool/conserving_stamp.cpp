@@ -13,102 +13,109 @@ namespace {
 
 constexpr double kWidest = 4;  // reference radii
 constexpr int kMostLayers = 64;
+constexpr int kRoundingBits = 30;  // of the mass pressed what may stay missing: 1e-9
 
 template <int Side>
 Key cornerIn(int n) {
   return {n / (Side * Side), n / Side % Side, n % Side};
 }
 
-template <int Side>
-Neighbourhood<Side> neighbourhoodOf(const KeyTree<CornerBlock<Side>>& tree, Key block) {
-  Neighbourhood<Side> near;
-  std::size_t n = 0;
-  for (int i = -1; i <= 1; ++i)
-    for (int j = -1; j <= 1; ++j)
-      for (int k = -1; k <= 1; ++k) near[n++] = tree.find(block + Key{i, j, k});
-  return near;
+BOZZETTO_KERNEL MassUnits sumKernel(const float* value, const float* shape, std::size_t count,
+                                    float height) {
+  MassUnits sum = 0;
+  for (std::size_t n = 0; n < count; ++n)
+    sum += massUnits(lesser(value[n] + height * shape[n], 1.0f));
+  return sum;
+}
+
+BOZZETTO_SIMD_DISPATCH(MassUnits, raisedSum, sumKernel,
+                       (const float* value, const float* shape, std::size_t count, float height),
+                       (value, shape, count, height))
+
+// The bulge with height 1.
+StampOptions ofHeightOne(StampOptions options) {
+  if (options.height <= 0)
+    options.slope = 0;
+  else
+    options.slope /= options.height;
+  options.height = 1;
+  return options;
 }
 
 }  // namespace
 
-// Presses, where asked to, and lists the corners that may rise.
 template <int Side>
-void ConservingStamp<Side>::look(double widening, bool press) {
+void ConservingStamp<Side>::reachOut(double widening) {
+  if (widening == widening_) return;
   widening_ = widening;
-  risers_.clear();
   const StampOptions& o = dab_->options;
-  const auto depth = makeStampDepth(
-      dab_->tool, {o.profile, dab_->iso, std::min(kWidest, widening * (o.rise + o.fall))});
-  const DabPose influence = influenceOf(*depth, dab_->pose);
-  const KeyBox box = dabBox(influence);
-  const LocalFrame frame = depth->frame(dab_->pose);
-  if (press) {
-    const LocalFrame local = localFrame(influence);
-    visited_ = box.count();
-    computed_ = countLocal(local, box.low - local.cell, box.high - local.cell);
-  }
+  const double rim = std::min(kWidest, widening * (o.rise + o.fall));
+  depth_ = makeStampDepth(dab_->tool, {o.profile, dab_->iso, rim});
+  frame_ = depth_->frame(dab_->pose);
+  const KeyBox box = dabBox(influenceOf(*depth_, dab_->pose));
   using Geometry = BlockGeometry<Side>;
-  const Key low = Geometry::blockOf(box.low), high = Geometry::blockOf(box.high);
-  for (auto i = low.i; i <= high.i; ++i)
-    for (auto j = low.j; j <= high.j; ++j)
-      for (auto k = low.k; k <= high.k; ++k) {
-        const Key first = Geometry::firstCornerOf({i, j, k}) - frame.cell;
-        if (depth->misses(frame, first, first + Key{Side - 1, Side - 1, Side - 1})) continue;
-        lookAt(*depth, frame, {i, j, k}, press);
-      }
-  // One order whatever the block side: what rounding leaves over goes to the first.
-  std::ranges::sort(risers_, {}, &Riser::at);
+  blocks_ = {Geometry::blockOf(box.low), Geometry::blockOf(box.high)};
+  depths_.clear();
+  depths_.resize(static_cast<std::size_t>(blocks_.count()));
+}
+
+// In the table of the blocks and their rim.
+template <int Side>
+std::size_t ConservingStamp<Side>::placeOf(Key block) const {
+  const Key at = block - blocks_.low + Key{1, 1, 1};
+  const auto wideJ = static_cast<std::size_t>(blocks_.high.j - blocks_.low.j + 3);
+  const auto wideK = static_cast<std::size_t>(blocks_.high.k - blocks_.low.k + 3);
+  return (static_cast<std::size_t>(at.i) * wideJ + static_cast<std::size_t>(at.j)) * wideK +
+         static_cast<std::size_t>(at.k);
 }
 
 template <int Side>
-void ConservingStamp<Side>::lookAt(const Potential& depth, const LocalFrame& frame, Key block,
-                                   bool press) {
-  const Neighbourhood<Side> near = neighbourhoodOf<Side>(edit_->tree(), block);
-  const bool clay = std::any_of(near.begin(), near.end(), [](auto* each) { return each; });
-  const bool full = std::all_of(near.begin(), near.end(),
-                                [](auto* each) { return each != nullptr && each->low >= 1; });
-  if (!clay || (full && !press)) return;
-  alignas(64) float d[Block::kCount];
-  depth.evaluate(frame, BlockGeometry<Side>::firstCornerOf(block) - frame.cell, Side, d);
-  const double surface = 1 - dab_->iso;
-  const bool rim = std::any_of(d, d + Block::kCount,
-                               [&](float each) { return static_cast<double>(each) >= surface; });
-  if (rim && !full) {
-    LowpassBuffer<Side> buffer;
-    lowpass<Side>(near, buffer);
-    for (int n = 0; n < Block::kCount; ++n) {
-      const float value = near[13] == nullptr ? 0 : near[13]->value[std::size_t(n)];
-      const Attributes own = near[13] == nullptr ? 0 : near[13]->attributes[std::size_t(n)];
-      if (static_cast<double>(d[n]) < surface || value >= 1) continue;
-      const float weight = riseWeight(buffer.result.value[n] / static_cast<float>(dab_->iso)) *
-                           pull(static_cast<float>(dab_->strength), 1.0f, own);
-      const float shape = weight * rimShape(static_cast<double>(d[n]));
-      const Attributes colour = value > 0 ? own : colourAt(buffer.result, n);
-      const Key at = BlockGeometry<Side>::firstCornerOf(block) + cornerIn<Side>(n);
-      if (shape > 0) risers_.push_back({at, block, n, value, shape, colour});
-    }
+auto ConservingStamp<Side>::depthsOf(Key block) -> const Depths& {
+  const Key at = block - blocks_.low, wide = blocks_.high - blocks_.low + Key{1, 1, 1};
+  const auto place =
+      (std::size_t(at.i) * std::size_t(wide.j) + std::size_t(at.j)) * std::size_t(wide.k) +
+      std::size_t(at.k);
+  auto& made = depths_[place];
+  if (made == nullptr) {
+    made = std::make_unique<Depths>();
+    depth_->evaluate(frame_, BlockGeometry<Side>::firstCornerOf(block) - frame_.cell, Side,
+                     made->data());
   }
-  if (press && near[13] != nullptr) pressBlock(block, d);
-}
-
-// The bulge with height 1, its rim widened.
-template <int Side>
-float ConservingStamp<Side>::rimShape(double depth) const {
-  StampOptions o = dab_->options;
-  const double height = o.height > 0 ? o.height : 1, surface = 1 - dab_->iso;
-  if (o.height <= 0) o.slope = 0;
-  o.height = height;
-  const double narrow = surface + (depth - surface) / widening_;
-  return static_cast<float>(std::max(0.0, StampCurve(o, dab_->iso)(narrow) / height));
+  return *made;
 }
 
 template <int Side>
-void ConservingStamp<Side>::pressBlock(Key block, const float* depth) {
+template <class Visit>
+void ConservingStamp<Side>::forBlocks(Visit&& visit) {
+  for (auto i = blocks_.low.i; i <= blocks_.high.i; ++i)
+    for (auto j = blocks_.low.j; j <= blocks_.high.j; ++j)
+      for (auto k = blocks_.low.k; k <= blocks_.high.k; ++k) {
+        const Key first = BlockGeometry<Side>::firstCornerOf({i, j, k}) - frame_.cell;
+        if (depth_->misses(frame_, first, first + Key{Side - 1, Side - 1, Side - 1})) continue;
+        visit(Key{i, j, k});
+      }
+}
+
+template <int Side>
+void ConservingStamp<Side>::press() {
+  reachOut(1);
+  const DabPose influence = influenceOf(*depth_, dab_->pose);
+  const KeyBox box = dabBox(influence);
+  const LocalFrame local = localFrame(influence);
+  visited_ = box.count();
+  computed_ = countLocal(local, box.low - local.cell, box.high - local.cell);
+  forBlocks([&](Key block) {
+    if (edit_->read(block) != nullptr) pressBlock(block, depthsOf(block));
+  });
+}
+
+template <int Side>
+void ConservingStamp<Side>::pressBlock(Key block, const Depths& depth) {
   const StampCurve curve(dab_->options, dab_->iso);
   const Block* old = edit_->read(block);
   for (int n = 0; n < Block::kCount; ++n) {
     const float value = old->value[std::size_t(n)];
-    const double d = static_cast<double>(depth[n]);
+    const double d = static_cast<double>(depth[std::size_t(n)]);
     if (!(value > 0) || d >= curve.surface()) continue;
     const Attributes own = old->attributes[std::size_t(n)];
     const float amount = pull(static_cast<float>(dab_->strength), 1.0f, own);
@@ -116,74 +123,158 @@ void ConservingStamp<Side>::pressBlock(Key block, const float* depth) {
     if (made == value) continue;
     pressed_ += massUnits(value) - massUnits(made);
     write(block, n, made, own);
-    old = edit_->read(block);
+    old = open_;
+  }
+}
+
+// Lists the corners that may rise.
+template <int Side>
+void ConservingStamp<Side>::look(double widening) {
+  reachOut(widening);
+  risers_.clear();
+  value_.clear();
+  shape_.clear();
+  table_.assign(placeOf(blocks_.high + Key{1, 1, 1}) + 1, nullptr);
+  const Key low = blocks_.low - Key{1, 1, 1}, high = blocks_.high + Key{1, 1, 1};
+  for (auto i = low.i; i <= high.i; ++i)
+    for (auto j = low.j; j <= high.j; ++j)
+      edit_->visit({{i, j, low.k}, high.k - low.k + 1}, [&](KeyRun piece, const Block* block) {
+        std::fill_n(table_.begin() + static_cast<std::ptrdiff_t>(placeOf(piece.key)), piece.length,
+                    block);
+      });
+  const StampCurve curve(ofHeightOne(dab_->options), dab_->iso);
+  forBlocks([&](Key block) { lookAt(block, curve); });
+  held_ = raisedSum(value_.data(), shape_.data(), value_.size(), 0);
+}
+
+template <int Side>
+Neighbourhood<Side> ConservingStamp<Side>::around(Key block) const {
+  Neighbourhood<Side> near;
+  std::size_t n = 0;
+  for (int i = -1; i <= 1; ++i)
+    for (int j = -1; j <= 1; ++j)
+      for (int k = -1; k <= 1; ++k) near[n++] = table_[placeOf(block + Key{i, j, k})];
+  return near;
+}
+
+template <int Side>
+void ConservingStamp<Side>::lookAt(Key block, const StampCurve& curve) {
+  const Neighbourhood<Side> near = around(block);
+  const bool clay = std::any_of(near.begin(), near.end(), [](auto* each) { return each; });
+  const Block* own = near[13];
+  if (!clay || (own != nullptr && own->low >= 1)) return;
+  const Depths& d = depthsOf(block);
+  const double surface = 1 - dab_->iso;
+  const auto beyond = static_cast<float>(surface + widening_ * (curve.end() - surface));
+  const bool rim = std::any_of(d.begin(), d.end(), [&](float each) {
+    return static_cast<double>(each) >= surface && each < beyond;
+  });
+  if (!rim) return;
+  LowpassBuffer<Side> buffer;
+  lowpass<Side>(near, buffer);
+  for (std::size_t n = 0; n < d.size(); ++n) {
+    const float value = own == nullptr ? 0 : own->value[n];
+    const double depth = static_cast<double>(d[n]);
+    if (depth < surface || d[n] >= beyond || value >= 1 || !(buffer.result.value[n] > 0)) continue;
+    const Attributes held = own == nullptr ? 0 : own->attributes[n];
+    const float weight = riseWeight(buffer.result.value[n] / static_cast<float>(dab_->iso)) *
+                         pull(static_cast<float>(dab_->strength), 1.0f, held);
+    const double bulge = curve(surface + (depth - surface) / widening_);
+    const float shape = weight * static_cast<float>(std::max(0.0, bulge));
+    if (!(shape > 0)) continue;
+    const int corner = static_cast<int>(n);
+    const Attributes colour = value > 0 ? held : colourAt(buffer.result, corner);
+    const Key at = BlockGeometry<Side>::firstCornerOf(block) + cornerIn<Side>(corner);
+    risers_.push_back({at, block, corner, colour});
+    value_.push_back(value);
+    shape_.push_back(shape);
   }
 }
 
 template <int Side>
 MassUnits ConservingStamp<Side>::gain(double height) const {
-  const auto high = static_cast<float>(height);
-  MassUnits sum = 0;
-  for (const Riser& riser : risers_)
-    sum += massUnits(lesser(riser.value + high * riser.shape, 1.0f)) - massUnits(riser.value);
-  return sum;
+  return raisedSum(value_.data(), shape_.data(), value_.size(), static_cast<float>(height)) - held_;
 }
 
 // The height whose gain is the mass, or just under it.
 template <int Side>
 double ConservingStamp<Side>::heightFor(MassUnits mass) const {
-  double low = 0, high = kHighest;
-  for (int n = 0; n < 60 && high - low > 1e-9 * high; ++n) {
+  double low = 0, high = 1;
+  while (high < kHighest && gain(high) <= mass) {
+    low = high;
+    high *= 4;
+  }
+  while (high - low > 1e-8 * high) {
     const double middle = 0.5 * (low + high);
     (gain(middle) <= mass ? low : high) = middle;
   }
   return low;
 }
 
-// Raises all, then gives what rounding left over to the first corners with room. Returns what it
-// raised.
+// Raises all, then gives what rounding left over to some corners with room. Returns what it raised.
 template <int Side>
 MassUnits ConservingStamp<Side>::raise(double height, MassUnits mass) {
-  MassUnits rest = mass - gain(height);
   const auto high = static_cast<float>(height);
-  for (const Riser& riser : risers_) {
-    float made = lesser(riser.value + high * riser.shape, 1.0f);
-    if (rest > 0 && made < 1) {
-      const auto more = static_cast<float>(static_cast<double>(rest) * kMassUnit);
-      const float filled = lesser(made + more, 1.0f);
-      const MassUnits taken = massUnits(filled) - massUnits(made);
-      if (taken <= rest) {
-        made = filled;
-        rest -= taken;
-      }
-    }
-    if (made != riser.value) write(riser.block, riser.corner, made, riser.attributes);
+  const MassUnits rest = mass - gain(height);
+  for (std::size_t n = 0; n < risers_.size(); ++n) {
+    const float made = lesser(value_[n] + high * shape_[n], 1.0f);
+    const Riser& riser = risers_[n];
+    if (made != value_[n]) write(riser.block, riser.corner, made, riser.attributes);
   }
-  return mass - rest;
+  return mass - raiseRest(height, rest);
+}
+
+// To the first few in the order of their keys: the same whatever the block side. Returns what finds
+// no room.
+template <int Side>
+MassUnits ConservingStamp<Side>::raiseRest(double height, MassUnits rest) {
+  constexpr std::size_t most = 256;
+  const auto high = static_cast<float>(height);
+  const auto raised = [&](std::size_t n) { return lesser(value_[n] + high * shape_[n], 1.0f); };
+  std::vector<std::size_t> order;
+  for (std::size_t n = 0; n < risers_.size(); ++n)
+    if (raised(n) < 1) order.push_back(n);
+  const auto last = order.begin() + static_cast<std::ptrdiff_t>(std::min(most, order.size()));
+  std::partial_sort(order.begin(), last, order.end(),
+                    [&](std::size_t a, std::size_t b) { return risers_[a].at < risers_[b].at; });
+  for (auto each = order.begin(); each != last && rest > 0; ++each) {
+    const float made = raised(*each);
+    const auto more = static_cast<float>(static_cast<double>(rest) * kMassUnit);
+    const float filled = lesser(made + more, 1.0f);
+    const MassUnits taken = massUnits(filled) - massUnits(made);
+    if (taken <= 0 || taken > rest) continue;
+    rest -= taken;
+    const Riser& riser = risers_[*each];
+    write(riser.block, riser.corner, filled, riser.attributes);
+  }
+  return rest;
 }
 
 template <int Side>
 void ConservingStamp<Side>::write(Key block, int corner, float value, Attributes attributes) {
-  Block& out = edit_->write(block);
+  if (touched_.empty() || touched_.back() != block) {
+    open_ = &edit_->write(block);
+    touched_.push_back(block);
+  }
   const auto n = static_cast<std::size_t>(corner);
-  out.value[n] = value;
-  out.attributes[n] = value > 0 ? attributes : 0;
+  open_->value[n] = value;
+  open_->attributes[n] = value > 0 ? attributes : 0;
   ++dirty_;
-  if (touched_.empty() || touched_.back() != block) touched_.push_back(block);
 }
 
 template <int Side>
 void ConservingStamp<Side>::apply(DabReport& report) {
   const double wide = dab_->options.rise + dab_->options.fall;
   const double widest = std::max(1.0, kWidest / wide);
-  look(1, true);
+  press();
   MassUnits rest = pressed_;
+  const MassUnits rounding = pressed_ >> kRoundingBits;
   double widening = 1;
-  for (int layer = 0; rest > 0 && layer < kMostLayers; ++layer) {
-    look(widening, false);
+  for (int layer = 0; rest > rounding && layer < kMostLayers; ++layer) {
+    look(widening);
     while (room() < rest && widening < widest) {
       widening = std::min(1.5 * widening, widest);
-      look(widening, false);
+      look(widening);
     }
     if (risers_.empty()) break;
     const MassUnits raised = raise(heightFor(rest), rest);

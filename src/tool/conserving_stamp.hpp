@@ -1,6 +1,8 @@
 // The conserving stamp (algorithms.md §1): what the tool presses out of its way rises round it.
 #pragma once
 #include "bozzetto/tool/dab.hpp"
+#include "tool/lowpass.hpp"
+#include "tool/mass_units.hpp"
 #include "tool/stamp_depth.hpp"
 
 namespace bozzetto {
@@ -25,27 +27,45 @@ class ConservingStamp {
   struct Riser {  // a corner that may rise
     Key at, block;
     int corner;
-    float value, shape;  // shape: density per unit of height
     Attributes attributes;
   };
   using Block = CornerBlock<Side>;
+  using Depths = std::array<float, Block::kCount>;
 
-  void look(double widening, bool press);
-  void lookAt(const Potential& depth, const LocalFrame& frame, Key block, bool press);
-  void pressBlock(Key block, const float* depth);
-  float rimShape(double depth) const;
+  void reachOut(double widening);
+  template <class Visit>
+  void forBlocks(Visit&& visit);
+  void press();
+  void pressBlock(Key block, const Depths& depth);
+  void look(double widening);
+  void lookAt(Key block, const StampCurve& curve);
+  const Depths& depthsOf(Key block);
+  Neighbourhood<Side> around(Key block) const;
+  std::size_t placeOf(Key block) const;
   MassUnits gain(double height) const;
   MassUnits room() const { return gain(kHighest); }
   double heightFor(MassUnits mass) const;
   MassUnits raise(double height, MassUnits mass);
+  MassUnits raiseRest(double height, MassUnits rest);
   void write(Key block, int corner, float value, Attributes attributes);
 
   static constexpr double kHighest = 1e4;
   Edit<Block>* edit_;
   const Dab* dab_;
-  double widening_ = 1;
+
+  // As far as the rim reaches: its blocks and, once asked for, how deep their corners lie.
+  double widening_ = 0;
+  std::unique_ptr<Potential> depth_;
+  LocalFrame frame_;
+  KeyBox blocks_;
+  std::vector<std::unique_ptr<Depths>> depths_;
+  std::vector<const Block*> table_;  // with a rim of one
+
   std::vector<Riser> risers_;
+  std::vector<float> value_, shape_;  // of the risers; shape: density per unit of height
+  MassUnits held_ = 0;                // by the risers
   std::vector<Key> touched_;
+  Block* open_ = nullptr;  // the last of them
   MassUnits pressed_ = 0;
   std::int64_t visited_ = 0, computed_ = 0, dirty_ = 0;
 };

@@ -5,6 +5,7 @@
 
 #include "tool/density_grid.hpp"
 #include "tool/eikonal.hpp"
+#include "tool/float_bits.hpp"
 
 namespace bozzetto {
 
@@ -54,23 +55,49 @@ void DistanceField::beginAtSurface(float iso) {
       }
 }
 
-float DistanceField::at(float x, float y, float z) const {
-  const float place[3] = {x, y, z};
-  int corner[3];
-  float t[3];
-  for (int a = 0; a < 3; ++a) {
-    const float most = static_cast<float>(wide_[std::size_t(a)] - 1) - 0.001f;
-    const float inside = std::clamp(place[a], 0.0f, most);
-    corner[a] = static_cast<int>(inside);
-    t[a] = inside - static_cast<float>(corner[a]);
+namespace {
+
+BOZZETTO_KERNEL float between(float a, float b, float t) { return a * (1.0f - t) + b * t; }
+
+BOZZETTO_KERNEL void rowKernel(const float* grid, const std::array<int, 3>& wide,
+                               const DistanceRow& places, float* distance) {
+  const std::int32_t stride[3] = {wide[1] * wide[2], wide[2], 1};
+  std::int32_t at[8] = {};
+  float t[3][8];
+  for (std::size_t a = 0; a < 3; ++a) {
+    const float most = static_cast<float>(wide[a] - 1) - 0.001f;
+    for (std::int32_t n = 0; n < 8; ++n) {
+      const auto units = static_cast<float>(places.start[a] + n * places.step[a]);
+      const float place = units * places.perUnit + places.offset[a];
+      const float inside = lesser(positive(place), most);
+      const auto corner = static_cast<std::int32_t>(inside);
+      t[a][n] = inside - static_cast<float>(corner);
+      at[n] += corner * stride[a];
+    }
   }
-  float sum = 0;
-  for (int c = 0; c < 8; ++c) {
-    const int i = c >> 2, j = c >> 1 & 1, k = c & 1;
-    const float weight = (i ? t[0] : 1 - t[0]) * (j ? t[1] : 1 - t[1]) * (k ? t[2] : 1 - t[2]);
-    sum += weight * distance_[index(corner[0] + i, corner[1] + j, corner[2] + k)];
+  for (int n = 0; n < 8; ++n) {
+    const float* cell = grid + at[n];
+    const std::int32_t i = stride[0], j = stride[1];
+    const float near = between(between(cell[0], cell[1], t[2][n]),
+                               between(cell[j], cell[j + 1], t[2][n]), t[1][n]);
+    const float far = between(between(cell[i], cell[i + 1], t[2][n]),
+                              between(cell[i + j], cell[i + j + 1], t[2][n]), t[1][n]);
+    distance[n] = between(near, far, t[0][n]) * places.scale;
   }
-  return sum;
+}
+
+BOZZETTO_SIMD_DISPATCH(void, rowOf, rowKernel,
+                       (const float* grid, const std::array<int, 3>& wide,
+                        const DistanceRow& places, float* distance),
+                       (grid, wide, places, distance))
+
+}  // namespace
+
+void DistanceField::row(const DistanceRow& places, int count, float* distance) const {
+  if (count == 8) return rowOf(distance_.data(), wide_, places, distance);
+  float all[8];
+  rowOf(distance_.data(), wide_, places, all);
+  std::copy_n(all, count, distance);
 }
 
 }  // namespace bozzetto

@@ -1,18 +1,28 @@
 // Distances to a sculpted tool's surface, outside of it, on a grid of their own.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "bozzetto/field/field.hpp"
 
 namespace bozzetto {
 
+/// Places start + n·step in units of so many cells, from an offset in cells from low().
+struct DistanceRow {
+  std::array<std::int32_t, 3> start, step;
+  float perUnit;
+  std::array<float, 3> offset;
+  float scale;
+};
+
 /// Made once for a tool: O(cells of its box and `reach` cells round it).
 class DistanceField {
  public:
   DistanceField(const Clay& clay, const KeyBox& bounds, float iso, int reach);
 
-  /// In cells, trilinear; `place` in cells from low(). Beyond the grid the nearest value.
-  float at(float x, float y, float z) const;
+  /// Distances along a row of up to 8 places: in cells × scale, trilinear. Beyond the grid the
+  /// nearest value.
+  void row(const DistanceRow& places, int count, float* distance) const;
   const Key& low() const { return low_; }
 
  private:

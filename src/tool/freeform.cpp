@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "tool/corner_loop.hpp"
 #include "tool/trilinear_avx2.hpp"
@@ -84,13 +85,13 @@ class FreeformPotential final : public Potential {
   }
 
   void evaluate(const LocalFrame& frame, Key first, int side, float* potential) const override {
+    if (!aligned(frame.fixed) && !level_->box().value.empty())
+      return evaluateTurned(frame, first, side, potential);
     ToolTile tile;
     gatherTile(frame, first, side, tile);
-    if (tile.kind != ToolTile::Kind::varied) {
-      std::fill_n(potential, side * side * side, tile.kind == ToolTile::Kind::full ? 1.0f : 0.0f);
-      return;
-    }
-    reconstruct({frame.fixed, first, base_, tile, tile.value.data()}, side, potential);
+    if (tile.kind != ToolTile::Kind::varied) return fillAlike(tile.kind, side, potential);
+    reconstruct({frame.fixed, first, base_, tile.low, tile.wide, tile.value.data()}, side,
+                potential);
   }
 
   bool coloured() const override { return true; }
@@ -111,7 +112,8 @@ class FreeformPotential final : public Potential {
       return;
     }
     if (tile.kind == ToolTile::Kind::full) tile.value.fill(1);
-    mixColours({frame.fixed, first, base_, tile, nullptr}, side, attributes.data(), colours);
+    mixColours({frame.fixed, first, base_, tile.low, tile.wide, nullptr}, tile, attributes.data(),
+               {colours, static_cast<std::size_t>(side * side * side)});
   }
 
  private:
@@ -132,22 +134,37 @@ class FreeformPotential final : public Potential {
     return read;
   }
 
+  static void fillAlike(ToolTile::Kind kind, int side, float* potential) {
+    std::fill_n(potential, side * side * side, kind == ToolTile::Kind::full ? 1.0f : 0.0f);
+  }
+
+  KeyBox cornersRead(const LocalFrame& frame, Key first, int side) const {
+    return cornersRead(frame.fixed, first, first + Key{side - 1, side - 1, side - 1});
+  }
+
+  void evaluateTurned(const LocalFrame& frame, Key first, int side, float* potential) const {
+    const KeyBox read = cornersRead(frame, first, side);
+    const ToolTile::Kind kind = kindOf(level_->blocks, read.low, read.high);
+    if (kind != ToolTile::Kind::varied) return fillAlike(kind, side, potential);
+    const ToolBox& box = level_->box();
+    reconstruct({frame.fixed, first, base_, box.low, box.wide, box.value.data()}, side, potential);
+  }
+
   void gatherTile(const LocalFrame& frame, Key first, int side, ToolTile& tile) const {
-    const KeyBox read = cornersRead(frame.fixed, first, first + Key{side - 1, side - 1, side - 1});
+    const KeyBox read = cornersRead(frame, first, side);
     gather(level_->blocks, read.low, read.high, tile);
   }
 
   // Means of the eight colours weighted by closeness and density.
-  static void mixColours(TilePatch patch, int side, const Attributes* attributes,
-                         Attributes* colours) {
-    const int count = side * side * side;
-    const ToolTile& tile = patch.tile;
+  static void mixColours(TilePatch patch, const ToolTile& tile, const Attributes* attributes,
+                         std::span<Attributes> colours) {
+    const int side = colours.size() == 1 ? 1 : 8;
     const auto corners = static_cast<std::size_t>(tile.wide[0] * tile.wide[1] * tile.wide[2]);
     alignas(64) std::array<float, ToolTile::kCorners> premultiplied;
     alignas(64) float density[512], channel[512];
     patch.value = tile.value.data();
     reconstruct(patch, side, density);
-    std::fill_n(colours, count, 0);
+    std::ranges::fill(colours, 0);
     for (int shift = 0; shift < 24; shift += 8) {
       for (std::size_t n = 0; n < corners; ++n) {
         const auto level = static_cast<float>(static_cast<int>(attributes[n] >> shift & 255));
@@ -155,7 +172,7 @@ class FreeformPotential final : public Potential {
       }
       patch.value = premultiplied.data();
       reconstruct(patch, side, channel);
-      for (int n = 0; n < count; ++n) {
+      for (std::size_t n = 0; n < colours.size(); ++n) {
         const float mean = density[n] > 0 ? channel[n] / density[n] : 0;
         colours[n] |= static_cast<Attributes>(nearest(mean) & 255) << shift;
       }
@@ -195,6 +212,11 @@ std::shared_ptr<const DistanceField> SculptureLevel::outside(float iso, int reac
   auto& made = outside_[{iso, reach}];
   if (made == nullptr) made = std::make_shared<DistanceField>(clay, bounds, iso, reach);
   return made;
+}
+
+const ToolBox& SculptureLevel::box() const {
+  std::call_once(boxed_, [this] { box_ = std::make_unique<const ToolBox>(clay); });
+  return *box_;
 }
 
 void putOnPivot(const Sculpture& sculpture, DabPose& pose) {

@@ -19,11 +19,16 @@ struct SculptureLevel {
   /// Distances to its surface outside, as far as `reach` cells; made when first asked for.
   std::shared_ptr<const DistanceField> outside(float iso, int reach) const;
 
+  /// All its corners; made when first asked for, empty where they are too many.
+  const ToolBox& box() const;
+
   Clay clay;
   KeyBox bounds;
   BlockTable blocks;
 
  private:
+  mutable std::once_flag boxed_;
+  mutable std::unique_ptr<const ToolBox> box_;
   mutable std::mutex making_;
   mutable std::map<std::pair<float, int>, std::shared_ptr<const DistanceField>> outside_;
 };

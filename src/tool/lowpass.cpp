@@ -57,6 +57,22 @@ BOZZETTO_KERNEL void binomialBody(const float* in, float* out) {
   }
 }
 
+// How steeply the clay climbs from a corner to its neighbours, in density a cell (Godunov's
+// upwind gradient: Osher and Sethian 1988).
+template <int Side>
+BOZZETTO_KERNEL void climbBody(const float* in, float* out) {
+  constexpr int wide = Side + 2;
+  for (int i = 0; i < Side; ++i)
+    for (int j = 0; j < Side; ++j)
+      for (int k = 0; k < Side; ++k) {
+        const float* at = in + ((i + 1) * wide + j + 1) * wide + k + 1;
+        const float x = positive(greater(at[wide * wide], at[-wide * wide]) - at[0]);
+        const float y = positive(greater(at[wide], at[-wide]) - at[0]);
+        const float z = positive(greater(at[1], at[-1]) - at[0]);
+        out[(i * Side + j) * Side + k] = std::sqrt((x * x + y * y) + z * z);
+      }
+}
+
 struct Colours {
   Attributes any = 0, every = 0xffffff;
   bool single() const { return any == 0 || any == every; }
@@ -85,6 +101,8 @@ BOZZETTO_KERNEL void lowpassBody(const Tile<Side>& tile, LowpassBuffer<Side>& bu
   constexpr int count = Tile<Side>::kCount;
   binomialBody<Side>(tile.value, buffer.arrays[0].data());
   buffer.result = {buffer.arrays[0].data(), {nullptr, nullptr, nullptr}, 0};
+  climbBody<Side>(tile.value, buffer.arrays[4].data());
+  buffer.result.climb = buffer.arrays[4].data();
   const Colours colours = coloursBody(tile.value, tile.attributes, count);
   buffer.result.onlyColour = colours.any;
   if (colours.single()) return;

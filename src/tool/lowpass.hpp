@@ -10,7 +10,7 @@ namespace bozzetto {
 template <int Side>
 struct LowpassBuffer {
   static constexpr int kCount = Side * Side * Side;
-  alignas(64) std::array<std::array<float, kCount>, 4> arrays;
+  alignas(64) std::array<std::array<float, kCount>, 5> arrays;
   Lowpass result;
 };
 

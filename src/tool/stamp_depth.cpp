@@ -94,16 +94,15 @@ class FreeformOutside final : public Outside {
   }
 
   void evaluate(const LocalFrame& frame, Key first, int side, float* distance) const override {
-    int n = 0;
+    DistanceRow row{{}, frame.fixed.step[2], perUnit_, {offset_.x, offset_.y, offset_.z}, scale_};
     for (int i = 0; i < side; ++i)
-      for (int j = 0; j < side; ++j)
-        for (int k = 0; k < side; ++k) {
-          const Key at = first + Key{i, j, k};
-          const auto place = [&](int axis) {
-            return static_cast<float>(positionOn(frame.fixed, axis, at)) * perUnit_ + offset_[axis];
-          };
-          distance[n++] = distances_->at(place(0), place(1), place(2)) * scale_;
+      for (int j = 0; j < side; ++j, distance += side) {
+        for (const Axis axis : kAxes) {
+          const int a = bozzetto::index(axis);
+          row.start[std::size_t(a)] = positionOn(frame.fixed, a, first + Key{i, j, 0});
         }
+        distances_->row(row, side, distance);
+      }
   }
 
  private:
@@ -157,15 +156,17 @@ class StampDepth final : public Potential {
   }
 
   void evaluate(const LocalFrame& frame, Key first, int side, float* depth) const override {
+    alignas(64) float covered[512];
     const int count = side * side * side;
-    alignas(64) float distance[512];
-    tool_->evaluate(frame, first, side, depth);
-    if (outside_ != nullptr) outside_->evaluate(frame, first, side, distance);
-    for (int n = 0; n < count; ++n) {
-      const float p = depth[n];
-      const bool far = outside_ != nullptr && p < iso_;
-      depth[n] = far ? (1 - iso_) + distance[n] : 1 - p;
+    tool_->evaluate(frame, first, side, covered);
+    const bool inside = std::all_of(covered, covered + count, [&](float p) { return p >= iso_; });
+    if (outside_ == nullptr || inside) {
+      for (int n = 0; n < count; ++n) depth[n] = 1 - covered[n];
+      return;
     }
+    outside_->evaluate(frame, first, side, depth);
+    for (int n = 0; n < count; ++n)
+      depth[n] = covered[n] < iso_ ? (1 - iso_) + depth[n] : 1 - covered[n];
   }
 
  private:
@@ -179,22 +180,21 @@ class StampDepth final : public Potential {
 class StampPotential final : public Potential {
  public:
   StampPotential(const ToolShape& tool, const StampOptions& options, double iso)
-      : depth_(makeStampDepth(tool, {options.profile, iso, options.rise + options.fall})),
-        curve_(options, iso) {}
-  LocalFrame frame(const DabPose& pose) const override { return depth_->frame(pose); }
-  glm::dvec3 reach() const override { return depth_->reach(); }
+      : depth_(tool, {options.profile, iso, options.rise + options.fall}), curve_(options, iso) {}
+  LocalFrame frame(const DabPose& pose) const override { return depth_.frame(pose); }
+  glm::dvec3 reach() const override { return depth_.reach(); }
   bool misses(const LocalFrame& frame, Key low, Key high) const override {
-    return depth_->misses(frame, low, high);
+    return depth_.misses(frame, low, high);
   }
   void evaluate(const LocalFrame& frame, Key first, int side, float* def) const override {
-    depth_->evaluate(frame, first, side, def);
+    depth_.evaluate(frame, first, side, def);
     const int count = side * side * side;
     for (int n = 0; n < count; ++n)
       def[n] = static_cast<float>(curve_(static_cast<double>(def[n])));
   }
 
  private:
-  std::unique_ptr<Potential> depth_;
+  StampDepth depth_;
   StampCurve curve_;
 };
 

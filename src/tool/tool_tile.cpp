@@ -26,19 +26,29 @@ KeyBox boxOf(const Clay& clay) {
   return box;
 }
 
+// Calls part(block, its key) for every block that holds one of the corners low … high.
+template <class Part>
+void forBlocks(const BlockTable& blocks, Key low, Key high, Part&& part) {
+  const Key first = Geometry::blockOf(low), last = Geometry::blockOf(high);
+  for (auto i = first.i; i <= last.i; ++i)
+    for (auto j = first.j; j <= last.j; ++j)
+      for (auto k = first.k; k <= last.k; ++k) part(blocks.at({i, j, k}), Key{i, j, k});
+}
+
+Key topOf(const ToolTile& tile) {
+  return tile.low + Key{tile.wide[0] - 1, tile.wide[1] - 1, tile.wide[2] - 1};
+}
+
 // Calls part(block, from, until) for every block the tile reads, with its corners of the tile.
 // Rows along k are whole rows of blocks.
 template <class Part>
-void forBlocks(const BlockTable& blocks, const ToolTile& tile, Part&& part) {
-  const Key top = tile.low + Key{tile.wide[0] - 1, tile.wide[1] - 1, tile.wide[2] - 1};
-  const Key first = Geometry::blockOf(tile.low), last = Geometry::blockOf(top);
-  for (auto i = first.i; i <= last.i; ++i)
-    for (auto j = first.j; j <= last.j; ++j)
-      for (auto k = first.k; k <= last.k; ++k) {
-        const Key from{std::max(tile.low.i, i * 8), std::max(tile.low.j, j * 8), k * 8};
-        const Key until{std::min(top.i, i * 8 + 7), std::min(top.j, j * 8 + 7), k * 8 + 7};
-        part(blocks.at({i, j, k}), from, until);
-      }
+void forParts(const BlockTable& blocks, const ToolTile& tile, Part&& part) {
+  const Key top = topOf(tile);
+  forBlocks(blocks, tile.low, top, [&](const CornerBlock<8>* block, Key key) {
+    const Key at = Geometry::firstCornerOf(key);
+    part(block, Key{std::max(tile.low.i, at.i), std::max(tile.low.j, at.j), at.k},
+         Key{std::min(top.i, at.i + 7), std::min(top.j, at.j + 7), at.k + 7});
+  });
 }
 
 // Calls row(place in the block, place in the tile) for the rows of 8 from … until.
@@ -84,12 +94,13 @@ void copyValues(const CornerBlock<8>& block, Key from, Key until, ToolTile& tile
   });
 }
 
-// What the tile's blocks are, all together.
-ToolTile::Kind kindOf(const BlockTable& blocks, const ToolTile& tile) {
-  const CornerBlock<8>* first = blocks.at(Geometry::blockOf(tile.low));
+}  // namespace
+
+ToolTile::Kind kindOf(const BlockTable& blocks, Key low, Key high) {
+  const CornerBlock<8>* first = blocks.at(Geometry::blockOf(low));
   // Of other values than 1 the sums of reconstruction round.
   bool alike = first == nullptr || (first->interned && first->value[0] >= 1);
-  forBlocks(blocks, tile, [&](const CornerBlock<8>* block, Key, Key) {
+  forBlocks(blocks, low, high, [&](const CornerBlock<8>* block, Key) {
     const bool full = block != nullptr && block->interned && block->value[0] >= 1;
     alike = alike && (first == nullptr ? block == nullptr : full);
   });
@@ -97,7 +108,26 @@ ToolTile::Kind kindOf(const BlockTable& blocks, const ToolTile& tile) {
   return first == nullptr ? ToolTile::Kind::empty : ToolTile::Kind::full;
 }
 
-}  // namespace
+ToolBox::ToolBox(const Clay& clay) {
+  constexpr int rim = ToolTile::kWidest + 2;
+  if (clay.tree.empty()) return;
+  const KeyBox blocks = boxOf(clay);
+  low = Geometry::firstCornerOf(blocks.low) - Key{rim, rim, rim};
+  const Key high = Geometry::firstCornerOf(blocks.high) + Key{7 + rim, 7 + rim, 7 + rim};
+  const std::int64_t corners = KeyBox{low, high}.count();
+  if (corners > kMostCorners) return;
+  for (const Axis axis : kAxes)
+    wide[static_cast<std::size_t>(index(axis))] = high[axis] - low[axis] + 1;
+  value.assign(static_cast<std::size_t>(corners), 0);
+  for (const auto& [key, run] : clay.tree)
+    for (int n = 0; n < 64 * run.length; ++n) {  // a row of 8
+      const Key at =
+          Geometry::firstCornerOf(key + Key{0, 0, n / 64}) + Key{n % 64 / 8, n % 8, 0} - low;
+      const float* row = run.block->value.data() + n % 64 * 8;
+      float* out = value.data() + (std::int64_t{at.i} * wide[1] + at.j) * wide[2] + at.k;
+      for (int k = 0; k < 8; ++k) out[k] = std::min(row[k], 1.0f);
+    }
+}
 
 BlockTable::BlockTable(const Clay& clay) : clay_(&clay), box_(boxOf(clay)) {
   if (box_.count() > kMostEntries) return;
@@ -143,9 +173,9 @@ bool BlockTable::any(const KeyBox& corners) const {
 void gather(const BlockTable& blocks, Key low, Key high, ToolTile& tile) {
   tile.low = {low.i, low.j, low.k & ~7};
   tile.wide = {high.i - low.i + 1, high.j - low.j + 1, ((high.k | 7) - tile.low.k) + 1};
-  tile.kind = kindOf(blocks, tile);
+  tile.kind = kindOf(blocks, tile.low, topOf(tile));
   if (tile.kind != ToolTile::Kind::varied) return;
-  forBlocks(blocks, tile, [&](const CornerBlock<8>* block, Key from, Key until) {
+  forParts(blocks, tile, [&](const CornerBlock<8>* block, Key from, Key until) {
     copyValues(block == nullptr ? emptyBlock<8>() : *block, from, until, tile);
   });
 }
@@ -153,7 +183,7 @@ void gather(const BlockTable& blocks, Key low, Key high, ToolTile& tile) {
 bool gatherColours(const BlockTable& blocks, const ToolTile& tile, Attributes* attributes,
                    Attributes& only) {
   Attributes any = 0, every = 0xffffff;
-  forBlocks(blocks, tile, [&](const CornerBlock<8>* present, Key from, Key until) {
+  forParts(blocks, tile, [&](const CornerBlock<8>* present, Key from, Key until) {
     const CornerBlock<8>& block = present == nullptr ? emptyBlock<8>() : *present;
     forRowsOf(tile, from, until, [&](int in, int out) {
       for (int k = 0; k < 8; ++k) {

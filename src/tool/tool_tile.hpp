@@ -36,6 +36,21 @@ struct ToolTile {
   alignas(64) std::array<float, kCorners> value;
 };
 
+/// All corners of a small tool in one box, so wide that no block of clay that meets the tool reads
+/// outside: turned tools, whose blocks read far more corners than they have, read it as it is.
+struct ToolBox {
+  /// Empty where the tool is larger than so many corners (32 MiB).
+  static constexpr std::int64_t kMostCorners = 1 << 23;
+  explicit ToolBox(const Clay& clay);
+
+  Key low;
+  std::array<int, 3> wide{};
+  std::vector<float> value;
+};
+
+/// What blocks the corners low … high touch are, all together.
+ToolTile::Kind kindOf(const BlockTable& blocks, Key low, Key high);
+
 /// Fills the tile with the corners low … high and some more, unless they are all 0 or all 1. Values
 /// above 1 count as 1.
 void gather(const BlockTable& blocks, Key low, Key high, ToolTile& tile);

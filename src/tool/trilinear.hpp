@@ -25,8 +25,9 @@ struct TilePatch {
   const FixedFrame& frame;
   Key first;  // corner, counted from the frame's cell
   Key base;   // the tool's corner at position 0
-  const ToolTile& tile;
-  const float* value;  // a box like the tile's
+  Key low;    // of the box of values
+  std::array<int, 3> wide;
+  const float* value;
 };
 
 BOZZETTO_KERNEL float mixed(float a, float b, float t) { return a * (1.0f - t) + b * t; }
@@ -56,9 +57,9 @@ BOZZETTO_KERNEL float cellAt(const float* at, std::int32_t strideI, std::int32_t
 template <int Side>
 BOZZETTO_KERNEL void turnedBody(const TilePatch& patch, float* result) {
   const FixedFrame& frame = patch.frame;
-  const std::int32_t strideJ = patch.tile.wide[2], strideI = patch.tile.wide[1] * strideJ;
+  const std::int32_t strideJ = patch.wide[2], strideI = patch.wide[1] * strideJ;
   std::int32_t low[3];
-  for (const Axis axis : kAxes) low[index(axis)] = patch.tile.low[axis] - patch.base[axis];
+  for (const Axis axis : kAxes) low[index(axis)] = patch.low[axis] - patch.base[axis];
   for (int i = 0; i < Side; ++i) {
     for (int j = 0; j < Side; ++j) {
       std::int32_t start[3];
@@ -101,18 +102,17 @@ BOZZETTO_KERNEL void mixRows(const float* near, int stride, const float (&t)[2],
 template <int Side>
 BOZZETTO_KERNEL void alignedBody(const TilePatch& patch, float* result) {
   constexpr int most = ToolTile::kWidest, wideK = ToolTile::kWidestK;
-  const std::int32_t strideJ = patch.tile.wide[2], strideI = patch.tile.wide[1] * strideJ;
+  const std::int32_t strideJ = patch.wide[2], strideI = patch.wide[1] * strideJ;
   Place place[3][Side];
   for (const Axis axis : kAxes)
     for (int n = 0; n < Side; ++n) {
       Key corner = patch.first;
       corner[axis] += n;
       const int a = index(axis);
-      place[a][n] =
-          placeOn(positionOn(patch.frame, a, corner), patch.tile.low[axis] - patch.base[axis]);
+      place[a][n] = placeOn(positionOn(patch.frame, a, corner), patch.low[axis] - patch.base[axis]);
     }
   const bool oneByOne = patch.frame.step[2][2] == 1 << kFractionBits;
-  const int planeRows = patch.tile.wide[1];
+  const int planeRows = patch.wide[1];
   for (int i = 0; i < Side; ++i) {
     alignas(64) float alongI[most * wideK], alongJ[wideK];
     mixPlanes(patch.value + place[0][i].corner * strideI, strideI, planeRows * strideJ,

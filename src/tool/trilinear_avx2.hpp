@@ -47,14 +47,14 @@ BOZZETTO_TARGET_AVX2 inline __m256 cellsAt(const float* value, __m256i at, std::
 
 BOZZETTO_TARGET_AVX2 inline void turnedAvx2(const TilePatch& patch, float* result) {
   const FixedFrame& frame = patch.frame;
-  const std::int32_t strideJ = patch.tile.wide[2], strideI = patch.tile.wide[1] * strideJ;
+  const std::int32_t strideJ = patch.wide[2], strideI = patch.wide[1] * strideJ;
   const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
   __m256i along[3];
   std::int32_t low[3];
   for (const Axis axis : kAxes) {
     const int a = index(axis);
     along[a] = _mm256_mullo_epi32(lanes, _mm256_set1_epi32(frame.step[2][a]));
-    low[a] = patch.tile.low[axis] - patch.base[axis];
+    low[a] = patch.low[axis] - patch.base[axis];
   }
   for (int row = 0; row < 64; ++row) {
     const Key first = patch.first + Key{row >> 3, row & 7, 0};
@@ -70,12 +70,12 @@ BOZZETTO_TARGET_AVX2 inline void turnedAvx2(const TilePatch& patch, float* resul
 // alignedBody where tool and clay have cells of one size along k: rows of 8 from rows as they lie.
 // Left to itself the compiler cuts these rows into pieces of 4, 2, 1 and 1.
 BOZZETTO_TARGET_AVX2 inline void oneByOneAvx2(const TilePatch& patch, float* result) {
-  const std::int32_t strideJ = patch.tile.wide[2], strideI = patch.tile.wide[1] * strideJ;
+  const std::int32_t strideJ = patch.wide[2], strideI = patch.wide[1] * strideJ;
   const auto placeOf = [&](Axis axis, int n) {
     Key corner = patch.first;
     corner[axis] += n;
     const int a = index(axis);
-    return placeOn(positionOn(patch.frame, a, corner), patch.tile.low[axis] - patch.base[axis]);
+    return placeOn(positionOn(patch.frame, a, corner), patch.low[axis] - patch.base[axis]);
   };
   Place along[8];
   for (int j = 0; j < 8; ++j) along[j] = placeOf(Axis::y, j);

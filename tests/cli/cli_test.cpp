@@ -279,5 +279,21 @@ TEST(Cli, aDiskThatFillsLeavesTheOldScene) {
   EXPECT_EQ(folder.listing(), "large.jsonl r.jsonl s.bzt");
 }
 
+// A lasso that sees the right half of a ball.
+TEST(Cli, toolsAreMadeOfWhatALassoHolds) {
+  const CommandFolder folder;
+  const std::string scene = sceneOf(folder, kBall), tool = folder / "half.bzt";
+  const std::string lasso =
+      R"('{"lasso":[[0,-90],[90,-90],[90,90],[0,90]],"view":{"eye":[0,0,99],"parallel":true}}')";
+  const Outcome made = runProgram("tool make " + scene + " -o " + tool + " --lasso " + lasso);
+  ASSERT_EQ(made.code, 0) << made.err;
+  const auto whole = infoOf(scene), half = infoOf(tool);
+  EXPECT_NEAR(half["mass"].get<double>(), whole["mass"].get<double>() / 2,
+              whole["mass"].get<double>() / 10);
+  EXPECT_GT(half["bounds"]["min"][0].get<double>(), -1.5);
+  for (const char* wrong : {"'{}'", "nonsense", R"('{"lasso":[[0,0]],"view":{"eye":[0,0,9]}}')"})
+    EXPECT_EQ(runProgram("tool make " + scene + " -o " + tool + " --lasso " + wrong).code, 1);
+}
+
 }  // namespace
 }  // namespace bozzetto

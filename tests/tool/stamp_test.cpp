@@ -30,6 +30,18 @@ ToolShape sculpted(const Clay& clay) {
   return tool;
 }
 
+double trilinearAt(const Clay& clay, const glm::dvec3& place) {
+  const glm::dvec3 low = glm::floor(place), t = place - low;
+  double sum = 0;
+  for (int c = 0; c < 8; ++c) {
+    const glm::ivec3 at(c >> 2, c >> 1 & 1, c & 1);
+    const glm::dvec3 weight = glm::mix(1.0 - t, t, glm::dvec3(at));
+    const glm::ivec3 key = glm::ivec3(low) + at;
+    sum += weight.x * weight.y * weight.z * double(clay.value({key.x, key.y, key.z}));
+  }
+  return sum;
+}
+
 // Where the surface is above (x, z), in cells.
 double heightAt(const Clay& clay, int x, int z) {
   for (int y = 30; y > -60; --y) {
@@ -123,6 +135,35 @@ TEST(Stamp, raisedClayHasTheColourOfItsNeighbours) {
   stroke(clay, ball(16), stampWith(), lineOf({0, 6, 0}, {0, 0, 0}));
   for (const auto& [key, sample] : samplesOf(clay))
     EXPECT_EQ(sample.attributes, packAttributes(kBallColour)) << toText(key);
+}
+
+// A rim raised by many dabs is as high all round as the clay is round: density added as such gave
+// terraces of half a cell.
+TEST(Stamp, rimsOfManyDabsHaveNoTerraces) {
+  const double radius = 30;
+  Clay clay = clayBall<8>(radius);
+  const glm::dvec3 way = glm::normalize(glm::dvec3(1, 2, 4));
+  const glm::dvec3 side = glm::normalize(glm::cross(way, glm::dvec3(0, 0, 1)));
+  StampOptions options{.height = 0.5, .rise = 0.25, .fall = 0.5};
+  stroke(clay, ball(16), stampWith(options), lineOf(38.0 * way, 28.0 * way));
+  const auto surfaceAlong = [&](const glm::dvec3& to) {
+    double inside = 0.5 * radius, outside = 2 * radius;
+    for (int n = 0; n < 40; ++n) {
+      const double middle = 0.5 * (inside + outside);
+      (trilinearAt(clay, middle * to) >= 0.5 ? inside : outside) = middle;
+    }
+    return inside;
+  };
+  double low = 1e9, high = 0;
+  for (int n = 0; n < 90; ++n) {
+    const double turn = 6.2831853 * n / 90, lean = 0.42;
+    const glm::dvec3 across = std::cos(turn) * side + std::sin(turn) * glm::cross(way, side);
+    const double at = surfaceAlong(std::cos(lean) * way + std::sin(lean) * across);
+    low = std::min(low, at);
+    high = std::max(high, at);
+  }
+  EXPECT_GT(low, radius + 1);
+  EXPECT_LT(high - low, 0.35);
 }
 
 TEST(Stamp, undoGivesTheBytesBack) {

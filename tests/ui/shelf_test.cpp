@@ -2,7 +2,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "bozzetto/scene/scene_file.hpp"
 #include "bozzetto/sculptor/shelf_tool.hpp"
+#include "bozzetto/tool/fill.hpp"
 #include "ui/null_window.hpp"
 
 namespace bozzetto::ui {
@@ -332,6 +334,35 @@ TEST_F(Shelf, aToolIsUnitedSubtractedIntersected) {
   tapCtrl(static_cast<KeyCode>('3'));
   settle();
   EXPECT_LT(mass(), before / 2);
+  expectReplays();
+}
+
+TEST_F(Shelf, anotherSceneIsUnitedSubtractedIntersected) {
+  const fs::path other = folder_ / "other.bzt";
+  Document document;
+  Edit<CornerBlock<8>> edit(document.field.tree);
+  Primitive ball;
+  ball.radii = glm::dvec3(9);
+  ball.centre = {28, 0, 0};
+  fill<8>(edit, document.field.scale, ball);
+  edit.commit();
+  saveScene(other, document);
+  const double before = mass();
+  atelier_.run(Command::combineFile);
+  ASSERT_EQ(atelier_.dialog, Dialog::combine);
+  atelier_.combineFile(other, Combining::unite);
+  settle();
+  EXPECT_EQ(atelier_.dialog, Dialog::none);
+  EXPECT_GT(mass(), before);
+  tapCtrl(letter('Z'));
+  settle();
+  EXPECT_EQ(mass(), before);
+  atelier_.combineFile(other, Combining::subtract);
+  settle();
+  EXPECT_LT(mass(), before);
+  atelier_.combineFile(other, Combining::intersect);
+  settle();
+  EXPECT_LT(mass(), before / 10);
   expectReplays();
 }
 

@@ -18,7 +18,8 @@ struct ReliefOptions {
 Clay relief(const GreyImage& image, const ReliefOptions& options);
 
 /// Text, drawn as distances (`drawText`), as letters with upright sides that stand on z = 0, their
-/// edges rounded by a cell and a half where there is room: sharp ones would be serrated. Throws Error as `relief` does.
+/// edges rounded by a cell and a half where there is room: sharp ones would be serrated. Throws
+/// Error as `relief` does.
 Clay standingText(const GreyImage& outline, const ReliefOptions& options);
 
 }  // namespace bozzetto

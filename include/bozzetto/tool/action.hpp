@@ -77,6 +77,7 @@ struct Lowpass {
   const float* value;
   const float* premultiplied[3];  ///< of value · colour channel; null where one colour is all
   Attributes onlyColour;          ///< that colour
+  const float* climb = nullptr;  ///< how steeply old values climb to neighbours, a cell
 };
 
 /// What became of a block. Where dirty is 0 the new state is the old one, bit for bit.
