@@ -39,8 +39,8 @@ struct ToolTile {
 /// All corners of a small tool in one box, so wide that no block of clay that meets the tool reads
 /// outside: turned tools, whose blocks read far more corners than they have, read it as it is.
 struct ToolBox {
-  /// Empty where the tool is larger than so many corners (32 MiB).
-  static constexpr std::int64_t kMostCorners = 1 << 23;
+  /// Empty where the tool is larger than so many corners (4 MiB): it would not stay in the cache.
+  static constexpr std::int64_t kMostCorners = 1 << 20;
   explicit ToolBox(const Clay& clay);
 
   Key low;
