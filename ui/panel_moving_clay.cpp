@@ -117,9 +117,9 @@ void movingSection(Atelier& atelier) {
          "0 fluid: only what is near gives way; 100 dry: the piece follows.");
   for (const LayerKind layer : ordered(settings)) layerLine(settings, layer);
   int scheme = int(settings.scheme);
-  if (choice("Scheme", scheme, {"Projected", "As in the paper", "The paper, mirrored"},
-             "Projected holds at today's sizes; the paper's is Dewaele and Cani to the letter; "
-             "mirrored: all cells give at once, so that both halves of a figure stay alike.")) {
+  if (choice("Scheme", scheme, {"Projected", "Paper", "In sweeps"},
+             "Projected holds at today's sizes; the paper's is Dewaele and Cani to the letter; in "
+             "sweeps: the same, but mirrored halves stay alike.")) {
     settings.scheme = clay::Scheme(scheme);
   }
   slider("Parting", settings.parting, {0, 4, "", 1, 1}, "How easily thin clay tears.");

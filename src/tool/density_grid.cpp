@@ -11,7 +11,7 @@ void readDensities(const Clay& clay, Key low, const std::array<int, 3>& wide,
     const std::int32_t begin = std::max(0, -at.k), end = std::min(8, wide[2] - at.k);
     if (begin >= end) return;
     const std::ptrdiff_t first = (std::ptrdiff_t{at.i} * wide[1] + at.j) * wide[2] + at.k;
-    std::copy(value + begin, value + end, density.begin() + first + begin);
+    std::copy(value + begin, value + end, density.begin() + (first + begin));
   };
   for (const auto& [key, run] : clay.tree)
     for (std::int32_t n = 0; n < run.length; ++n) {
