@@ -23,10 +23,6 @@ constexpr auto kCommands = std::to_array<CommandRow>({
      "Ctrl+Alt+S"},
     {importMesh, file, "import", "Import a mesh…",
      "Turns a mesh (OBJ, PLY, STL, OFF, GLB) into clay.", "Ctrl+I", "Ctrl+I"},
-    {combineFile, file, "combine_file", "Combine with a file…",
-     "Unites the clay with another scene, a tool or a mesh, takes its form away, or leaves only "
-     "what is inside it.",
-     "Ctrl+4", "Ctrl+4"},
     {exportMesh, file, "export", "Export a mesh…",
      "Writes the surface as OBJ, PLY, STL, GLB or IV.", "Ctrl+E", "Ctrl+E"},
     {screenshot, file, "screenshot", "Picture of the clay…",
@@ -73,6 +69,10 @@ constexpr auto kCommands = std::to_array<CommandRow>({
      "Takes the tool's form away from the clay.", "Ctrl+2", "Ctrl+2"},
     {intersectTool, tool, "intersect_tool", "Intersect with the tool",
      "Leaves only what is inside the tool.", "Ctrl+3", "Ctrl+3"},
+    {combineFile, tool, "combine_file", "Combine with a file…",
+     "Unites the clay with another scene, a tool or a mesh, takes its form away, or leaves only "
+     "what is inside it.",
+     "Ctrl+4", "Ctrl+4"},
 
     {dragSize, stroke, "drag_size", "Size", "Move the pointer to change the tool's size.", "F",
      "S"},

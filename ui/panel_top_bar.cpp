@@ -27,8 +27,7 @@ void fileMenu(Atelier& atelier) {
   menuLine(atelier, Command::saveAs);
   menuLine(atelier, Command::saveNumbered);
   ImGui::Separator();
-  for (const Command c : {Command::importMesh, Command::combineFile, Command::exportMesh})
-    menuLine(atelier, c);
+  for (const Command c : {Command::importMesh, Command::exportMesh}) menuLine(atelier, c);
   ImGui::Separator();
   for (const Command c : {Command::screenshot, Command::screenshotWindow, Command::turntable}) {
     menuLine(atelier, c);
