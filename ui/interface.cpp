@@ -100,9 +100,12 @@ bool Interface::feedButton(const ButtonChanged& event) {
 
 bool Interface::feedKey(const KeyChanged& event) {
   if (std::find(keysNow_.begin(), keysNow_.end(), event.key) != keysNow_.end()) return false;
-  // Fields see Ctrl with A, however fast it was let go.
-  if (isModifier(event.key) && !keysNow_.empty()) return false;
   ImGuiIO& io = ImGui::GetIO();
+  // Fields see Ctrl with A, however fast it was let go.
+  const auto isPressed = [&](KeyCode key) { return !isModifier(key) && io.KeysDown[int(key)]; };
+  if (isModifier(event.key) && std::any_of(keysNow_.begin(), keysNow_.end(), isPressed)) {
+    return false;
+  }
   const int code = int(event.key);
   if (code <= 0 || code > int(KeyCode::last)) return true;
   if (!event.repeated) keysNow_.push_back(event.key);

@@ -201,6 +201,7 @@ recovery() {
   local killed="$work/killed.bzt" before after
   cp "$work/scene.bzt" "$killed"
   killWindow  # it may well be asking whether to save
+  rm -rf "$XDG_CONFIG_HOME"  # random input may well have given Ctrl+S another meaning
   openWindow "$killed"
   drag 500 400 580 420
   drag 500 440 560 470
