@@ -70,7 +70,7 @@ void Atelier::placeToolAsSupport(const glm::dvec3& at) {
 void Atelier::moveSupport(std::size_t n, const clay::Support& support) {
   touch();
   worker_.post(
-      [move = SupportMoveOperation{int(n), support}](ClayDesk& desk) { desk.moveSupport(move); });
+      [move = SupportMoveOperation{int(n), {support}}](ClayDesk& desk) { desk.moveSupport(move); });
   status_.clay.supports[n] = support;  // what is drawn need not wait
 }
 

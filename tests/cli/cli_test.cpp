@@ -251,32 +251,31 @@ TEST(Cli, helpIsThereForEveryCommand) {
   }
 }
 
-#ifndef BOZZETTO_SANITIZED  // they take terabytes of address space
-TEST(Cli, memoryThatEndsLeavesTheOldScene) {
+// A fill of this radius onto a scene that is there, where there is too little of something.
+void expectTheOldSceneStays(double radius, const char* reason,
+                            Outcome (*run)(const std::string&, int), int kibibytes) {
   const CommandFolder folder;
   const std::string scene = sceneOf(folder, kBall);
   const auto hash = infoOf(scene)["field_hash"];
-  const std::string larger =
-      folder.write("large.jsonl", kHeader + "{\"op\":\"fill\",\"radii\":[1500,1500,1500]}\n");
-  const Outcome out = testing::runCramped("replay " + larger + " -o " + scene, 1 << 20);
-  EXPECT_EQ(out.code, 1) << out.err;
-  EXPECT_NE(out.err.find("not enough memory"), std::string::npos) << out.err;
+  const std::string r = std::to_string(radius);
+  const std::string larger = folder.write(
+      "large.jsonl", kHeader + "{\"op\":\"fill\",\"radii\":[" + r + "," + r + "," + r + "]}\n");
+  const Outcome outcome = run("replay " + larger + " -o " + scene, kibibytes);
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   EXPECT_EQ(infoOf(scene)["field_hash"], hash);
   EXPECT_EQ(folder.listing(), "large.jsonl r.jsonl s.bzt");
+}
+
+#ifndef BOZZETTO_SANITIZED  // they take terabytes of address space
+TEST(Cli, memoryThatEndsLeavesTheOldScene) {
+  expectTheOldSceneStays(1500, "not enough memory", testing::runCramped, 1 << 20);
 }
 #endif
 
 TEST(Cli, aDiskThatFillsLeavesTheOldScene) {
-  const CommandFolder folder;
-  const std::string scene = sceneOf(folder, kBall);
-  const auto hash = infoOf(scene)["field_hash"];
-  const std::string larger =
-      folder.write("large.jsonl", kHeader + "{\"op\":\"fill\",\"radii\":[90,90,90]}\n");
-  const Outcome full = testing::runLimited("replay " + larger + " -o " + scene, 16);
-  EXPECT_EQ(full.code, 1) << full.err;
-  EXPECT_EQ(std::count(full.err.begin(), full.err.end(), '\n'), 1) << full.err;
-  EXPECT_EQ(infoOf(scene)["field_hash"], hash);
-  EXPECT_EQ(folder.listing(), "large.jsonl r.jsonl s.bzt");
+  expectTheOldSceneStays(90, "large", testing::runLimited, 16);
 }
 
 // A lasso that sees the right half of a ball.
