@@ -112,6 +112,7 @@ TEST_F(Lights, theSceneKeepsSoftBoxesAndWhatTheyAreFixedTo) {
   const std::filesystem::path path = folder / "lit.bzt";
   studio() = Studio(Environment::dusk);
   studio().turn = 0.4f;
+  studio().lights.push_back(studio().lights[0]);
   studio().lights[1].frame = LightFrame::scene;
   studio().lights[0].box = {{.3f, .2f}, .15f, {4, 3, 2}};
   atelier_.options.look.mode = Mode::glaze;
