@@ -10,12 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path userFile(const std::string& name) {
-  if (name.empty() || name.front() == '.' || name.find('/') != name.npos)
-    throw Error("'" + name + "': a name that files can have expected");
-  return userToolFolder() / (name + ".bzt");
-}
-
 void setPicture(ShelfCard& card, std::shared_ptr<const Bytes> picture) {
   card.pictureId = picture->empty() ? 1 : hash64(*picture) | 1;
   card.picture = std::move(picture);
@@ -54,7 +48,7 @@ void ClayDesk::picture(ShelfCard& card) {
       tool = bench().tools().find(card.entry.name);
       break;
     case ToolEntry::Place::user:
-      tool = loadTool(userFile(card.entry.name));
+      tool = loadTool(userToolFile(card.entry.name));
       break;
     case ToolEntry::Place::starter:
       tool = makeStarter(card.entry.name);
@@ -100,23 +94,23 @@ void ClayDesk::shareTool(const std::string& name, const fs::path& path) {
 
 void ClayDesk::keepForUser(const std::string& name) {
   fs::create_directories(userToolFolder());
-  shareTool(name, userFile(name));
+  shareTool(name, userToolFile(name));
   listShelf();
 }
 
 void ClayDesk::dropUserTool(const std::string& name) {
   std::error_code failed;
-  if (!fs::remove(userFile(name), failed))
-    throw Error(userFile(name).string() + ": could not be deleted");
+  if (!fs::remove(userToolFile(name), failed))
+    throw Error(userToolFile(name).string() + ": could not be deleted");
   bench().tools().forget();
   listShelf();
 }
 
 void ClayDesk::renameUserTool(const std::string& name, const std::string& to) {
-  if (fs::exists(userFile(to))) throw Error(userFile(to).string() + ": exists already");
-  ShelfTool tool = loadTool(userFile(name));
+  if (fs::exists(userToolFile(to))) throw Error(userToolFile(to).string() + ": exists already");
+  ShelfTool tool = loadTool(userToolFile(name));
   tool.name = to;
-  saveTool(userFile(to), tool);
+  saveTool(userToolFile(to), tool);
   dropUserTool(name);
 }
 

@@ -1,6 +1,9 @@
 // bozzetto tool make|list|show|render: tools that are sculptures.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "bozzetto/base/file.hpp"
@@ -17,7 +20,8 @@ using Json = nlohmann::ordered_json;
 
 struct MakeArguments {
   ToolSource source;
-  std::string out, name, tags, preset, lasso;
+  std::string out, tags, preset, lasso;
+  std::optional<std::string> name;
   std::vector<double> region, pivot, contact;
 };
 
@@ -55,6 +59,8 @@ void make(const MakeArguments& arguments) {
   ToolSource source = arguments.source;
   if (arguments.region.size() == 6) {
     const auto& r = arguments.region;
+    if (std::any_of(r.begin(), r.end(), [](double v) { return std::isnan(v); }))
+      throw Error("--region: six numbers expected");
     source.region = WorldRegion{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
   }
   if (!arguments.lasso.empty()) source.region = regionFrom(arguments.lasso);
@@ -63,7 +69,8 @@ void make(const MakeArguments& arguments) {
   if (source.from.empty() == source.text.empty())
     throw Error("tool make: either a source or --text expected");
   ShelfTool tool = toolFrom(source, progress);
-  if (!arguments.name.empty()) tool.name = arguments.name;
+  if (arguments.name) tool.name = *arguments.name;
+  const auto inLibrary = userToolFile(tool.name);
   if (!arguments.tags.empty()) tool.tags = wordsOf(arguments.tags);
   const auto preset = presetFrom(arguments.preset);
   if (!preset.empty()) tool.preset = preset;
@@ -71,7 +78,7 @@ void make(const MakeArguments& arguments) {
   tool.thumbnail = thumbnailOf(tool, progress);
   std::filesystem::path out = arguments.out;
   if (out.empty()) {
-    out = userToolFolder() / (tool.name + ".bzt");
+    out = inLibrary;
     std::filesystem::create_directories(userToolFolder());
   }
   saveTool(out, tool);

@@ -110,6 +110,13 @@ std::filesystem::path userToolFolder() {
   return (data.is_absolute() ? data : setting("HOME") / ".local/share") / "bozzetto/tools";
 }
 
+std::filesystem::path userToolFile(const std::string& name) {
+  const auto unfit = [](char c) { return c == '/' || c == 127 || (c >= 0 && c < ' '); };
+  if (name.empty() || name.front() == '.' || std::any_of(name.begin(), name.end(), unfit))
+    throw Error("'" + name + "': a name that files can have expected");
+  return userToolFolder() / (name + ".bzt");
+}
+
 bool matches(const ToolEntry& entry, std::string_view query) {
   std::string all = entry.name;
   for (const std::string& tag : entry.tags) all += "\n" + tag;

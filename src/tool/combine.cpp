@@ -92,6 +92,20 @@ DabPose poseOf(const Sculpture& sculpture, const FieldScale& scale, const Combin
   return made;
 }
 
+// Blocks inside stay shared whatever the scale, the others do not.
+void requireBearable(const Sculpture& sculpture, const FieldScale& scale, const glm::dvec3& grown) {
+  constexpr double kMostCorners = double(std::int64_t{1} << 32);
+  const double ratio = sculpture.scale().spacing / scale.spacing;
+  double blocks = 0;
+  for (const auto& [key, run] : sculpture.clay().tree) blocks += run.block->interned ? 0 : 1;
+  const double corners =
+      blocks * Clay::Block::kCount * grown.x * grown.y * grown.z * ratio * ratio * ratio;
+  if (corners > kMostCorners) {
+    throw Error("combine: about " + std::to_string(corners) +
+                " corners at this scale, at most 2^32 expected");
+  }
+}
+
 struct ClearRule {
   const float* inside;
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
@@ -156,6 +170,7 @@ DabReport combine(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
                   std::shared_ptr<const Sculpture> sculpture, Combining how,
                   const CombinePose& pose) {
   freeformRadii(*sculpture, pose.scale);
+  requireBearable(*sculpture, scale, pose.scale);
   const DabPose dab = poseOf(*sculpture, scale, pose);
   if (minification(*sculpture, dab.radii) > kMostMinified) {
     throw Error("combine: more than 256 cells of one to a cell of the other");

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tool/block_work.hpp"
-#include "tool/corner_loop.hpp"
 #include "bozzetto/tool/relative.hpp"
 #include "bozzetto/tool/solid.hpp"
+#include "tool/block_work.hpp"
+#include "tool/corner_loop.hpp"
 
 namespace bozzetto {
 namespace {

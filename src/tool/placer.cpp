@@ -18,6 +18,12 @@ constexpr int kMostCopies = 4096;
 double smallest(const glm::dvec3& v) { return std::min({v.x, v.y, v.z}); }
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
+// How much larger a tool of these radii, in cells, may become.
+double mostGrown(const glm::dvec3& radii) {
+  const double corners = 8 * radii.x * radii.y * radii.z;
+  return std::min(kLargestToolCells / largest(radii), std::cbrt(kMostToolCorners / corners));
+}
+
 // A number in [0, 1) from a seed, a dab and a purpose (SplitMix64).
 double chance(std::uint64_t seed, std::int64_t dab, std::uint64_t purpose) {
   std::uint64_t x = seed * 0x9e3779b97f4a7c15u +
@@ -195,7 +201,7 @@ Standing Placer<Side>::at(const StrokePath& path, std::int64_t n) const {
   standing.orientation = turned(standing.position, way);
   if (placement_.roll != 0) roll(static_cast<double>(n) * path.step(), way, standing);
   if (placement_.anchored && glm::length(way) > 0)
-    standing.factor = glm::length(way) / largest(radii_);
+    standing.factor = std::min(glm::length(way) / largest(radii_), mostGrown(radii_));
   scatter(n, standing);
   return standing;
 }

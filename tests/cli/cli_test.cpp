@@ -278,6 +278,18 @@ TEST(Cli, aDiskThatFillsLeavesTheOldScene) {
   expectTheOldSceneStays(90, "large", testing::runLimited, 16);
 }
 
+TEST(Cli, toolsHaveNamesThatFilesCanHave) {
+  const CommandFolder folder;
+  const std::string scene = sceneOf(folder, kBall), out = " -o " + (folder / "t.bzt");
+  for (const char* name : {"../evil", "''", ".hidden", "\"$(printf 'a\\tb')\""}) {
+    const Outcome outcome = runProgram("tool make " + scene + " --name " + name + out);
+    EXPECT_EQ(outcome.code, 1) << name;
+    EXPECT_NE(outcome.err.find("a name that files can have"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(runProgram("tool make " + scene + " --region nan 1 1 2 2 2" + out).code, 1);
+  EXPECT_EQ(folder.listing(), "r.jsonl s.bzt");
+}
+
 // A lasso that sees the right half of a ball.
 TEST(Cli, toolsAreMadeOfWhatALassoHolds) {
   const CommandFolder folder;

@@ -109,5 +109,15 @@ TEST(Placement, anchoredDabsTakeTheirSizeFromTheDrag) {
   EXPECT_EQ(clay.value({21, 0, 0}), 0);
 }
 
+TEST(Placement, anchoredDabsEndWhereToolsDo) {
+  Stroke path = lineOf({0, 0, 0}, {1e6, 0, 0});
+  path.placement.anchored = true;
+  ToolShape thin = ball(5);
+  thin.radii = {2000, 2, 2};  // may grow to 4096 cells only
+  const Clay clay = drawn(thin, path);
+  EXPECT_GT(clay.value({4000, 0, 0}), 0);
+  EXPECT_EQ(clay.value({4097, 0, 0}), 0);
+}
+
 }  // namespace
 }  // namespace bozzetto

@@ -35,6 +35,9 @@ ShelfTool loadTool(const std::filesystem::path& path, Progress& progress = Progr
 
 /// $XDG_DATA_HOME/bozzetto/tools, or ~/.local/share/bozzetto/tools.
 std::filesystem::path userToolFolder();
+/// Where the user's tool of that name is, or would be. Throws Error for names that no file can have
+/// there: empty ones, hidden ones, with '/' or control characters.
+std::filesystem::path userToolFile(const std::string& name);
 
 /// What the list of a shelf shows.
 struct ToolEntry {

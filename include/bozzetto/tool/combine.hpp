@@ -26,8 +26,9 @@ struct CombinePose {
 };
 
 /// At {0, 0, 0}, unturned and unscaled, the sculpture stands where its own clay stands in the
-/// world. Throws Error, before anything changes, for scales that are not above 0 and for boxes that
-/// leave the workspace. O(blocks in its box; intersect: and of the clay).
+/// world. Throws Error, before anything changes, for scales that are not above 0, for boxes that
+/// leave the workspace and for sculptures that would grow beyond 2^32 corners. O(blocks in its box;
+/// intersect: and of the clay).
 template <int Side>
 DabReport combine(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
                   std::shared_ptr<const Sculpture> sculpture, Combining how,
