@@ -70,17 +70,17 @@ void make(const MakeArguments& arguments) {
     throw Error("tool make: either a source or --text expected");
   ShelfTool tool = toolFrom(source, progress);
   if (arguments.name) tool.name = *arguments.name;
-  const auto inLibrary = userToolFile(tool.name);
+  std::filesystem::path out = arguments.out;
+  if (arguments.name || out.empty()) {
+    const auto inLibrary = userToolFile(tool.name);  // refuses names
+    if (out.empty()) out = inLibrary;
+  }
   if (!arguments.tags.empty()) tool.tags = wordsOf(arguments.tags);
   const auto preset = presetFrom(arguments.preset);
   if (!preset.empty()) tool.preset = preset;
   sculptureOf(tool, {});  // refuses what is no tool, before anything is written
   tool.thumbnail = thumbnailOf(tool, progress);
-  std::filesystem::path out = arguments.out;
-  if (out.empty()) {
-    out = inLibrary;
-    std::filesystem::create_directories(userToolFolder());
-  }
+  if (arguments.out.empty()) std::filesystem::create_directories(userToolFolder());
   saveTool(out, tool);
   progress.clear();
   fmt::print("{}\n", out.string());

@@ -56,10 +56,10 @@ void ConservingStamp<Side>::reachOut(double widening) {
   using Geometry = BlockGeometry<Side>;
   blocks_ = {Geometry::blockOf(box.low), Geometry::blockOf(box.high)};
   depths_.clear();
-  depths_.resize(static_cast<std::size_t>(blocks_.count()));
+  depths_.resize(tableSize());
 }
 
-// In the table of the blocks and their rim.
+// In tables of the blocks and their rim.
 template <int Side>
 std::size_t ConservingStamp<Side>::placeOf(Key block) const {
   const Key at = block - blocks_.low + Key{1, 1, 1};
@@ -71,11 +71,7 @@ std::size_t ConservingStamp<Side>::placeOf(Key block) const {
 
 template <int Side>
 auto ConservingStamp<Side>::depthsOf(Key block) -> const Depths& {
-  const Key at = block - blocks_.low, wide = blocks_.high - blocks_.low + Key{1, 1, 1};
-  const auto place =
-      (std::size_t(at.i) * std::size_t(wide.j) + std::size_t(at.j)) * std::size_t(wide.k) +
-      std::size_t(at.k);
-  auto& made = depths_[place];
+  auto& made = depths_[placeOf(block)];
   if (made == nullptr) {
     made = std::make_unique<Depths>();
     depth_->evaluate(frame_, BlockGeometry<Side>::firstCornerOf(block) - frame_.cell, Side,
@@ -134,7 +130,7 @@ void ConservingStamp<Side>::look(double widening) {
   risers_.clear();
   value_.clear();
   shape_.clear();
-  table_.assign(placeOf(blocks_.high + Key{1, 1, 1}) + 1, nullptr);
+  table_.assign(tableSize(), nullptr);
   const Key low = blocks_.low - Key{1, 1, 1}, high = blocks_.high + Key{1, 1, 1};
   for (auto i = low.i; i <= high.i; ++i)
     for (auto j = low.j; j <= high.j; ++j)

@@ -42,6 +42,7 @@ class ConservingStamp {
   const Depths& depthsOf(Key block);
   Neighbourhood<Side> around(Key block) const;
   std::size_t placeOf(Key block) const;
+  std::size_t tableSize() const { return placeOf(blocks_.high + Key{1, 1, 1}) + 1; }
   MassUnits gain(double height) const;
   MassUnits room() const { return gain(kHighest); }
   double heightFor(MassUnits mass) const;
@@ -53,13 +54,14 @@ class ConservingStamp {
   Edit<Block>* edit_;
   const Dab* dab_;
 
-  // As far as the rim reaches: its blocks and, once asked for, how deep their corners lie.
+  // As far as the rim reaches: its blocks and, once asked for, how deep their corners lie. Both
+  // tables have a rim of one.
   double widening_ = 0;
   std::unique_ptr<Potential> depth_;
   LocalFrame frame_;
   KeyBox blocks_;
   std::vector<std::unique_ptr<Depths>> depths_;
-  std::vector<const Block*> table_;  // with a rim of one
+  std::vector<const Block*> table_;
 
   std::vector<Riser> risers_;
   std::vector<float> value_, shape_;  // of the risers; shape: density per unit of height

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tool/block_work.hpp"
+#include "tool/density_grid.hpp"
 #include "tool/float_bits.hpp"
 
 namespace bozzetto {
@@ -119,14 +120,8 @@ ToolBox::ToolBox(const Clay& clay) {
   for (const Axis axis : kAxes)
     wide[static_cast<std::size_t>(index(axis))] = high[axis] - low[axis] + 1;
   value.assign(static_cast<std::size_t>(corners), 0);
-  for (const auto& [key, run] : clay.tree)
-    for (int n = 0; n < 64 * run.length; ++n) {  // a row of 8
-      const Key at =
-          Geometry::firstCornerOf(key + Key{0, 0, n / 64}) + Key{n % 64 / 8, n % 8, 0} - low;
-      const float* row = run.block->value.data() + n % 64 * 8;
-      float* out = value.data() + (std::int64_t{at.i} * wide[1] + at.j) * wide[2] + at.k;
-      for (int k = 0; k < 8; ++k) out[k] = std::min(row[k], 1.0f);
-    }
+  readDensities(clay, low, wide, value);
+  for (float& each : value) each = std::min(each, 1.0f);
 }
 
 BlockTable::BlockTable(const Clay& clay) : clay_(&clay), box_(boxOf(clay)) {

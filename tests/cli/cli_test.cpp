@@ -286,8 +286,9 @@ TEST(Cli, toolsHaveNamesThatFilesCanHave) {
     EXPECT_EQ(outcome.code, 1) << name;
     EXPECT_NE(outcome.err.find("a name that files can have"), std::string::npos) << outcome.err;
   }
+  EXPECT_EQ(runProgram("tool make --text A/B -o " + (folder / "ab.bzt")).code, 0) << "its own file";
   EXPECT_EQ(runProgram("tool make " + scene + " --region nan 1 1 2 2 2" + out).code, 1);
-  EXPECT_EQ(folder.listing(), "r.jsonl s.bzt");
+  EXPECT_EQ(folder.listing(), "ab.bzt r.jsonl s.bzt");
 }
 
 // A lasso that sees the right half of a ball.

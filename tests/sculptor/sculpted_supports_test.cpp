@@ -6,6 +6,7 @@
 
 #include "bozzetto/scene/scene_file.hpp"
 #include "bozzetto/sculptor/session.hpp"
+#include "sculptor/fill_at.hpp"
 #include "support/folder.hpp"
 
 namespace bozzetto {
@@ -13,11 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-FillOperation fillAt(double x) {
-  FillOperation fill;
-  fill.primitive.centre = {x, 0, 0};
-  return fill;
-}
+using testing::fillAt;
 
 // Two boxes at a right angle.
 Clay angle() {

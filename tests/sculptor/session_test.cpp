@@ -8,6 +8,7 @@
 #include "bozzetto/history/copy.hpp"
 #include "bozzetto/scene/scene_file.hpp"
 #include "bozzetto/sculptor/clay_settings.hpp"
+#include "sculptor/fill_at.hpp"
 #include "support/folder.hpp"
 
 namespace bozzetto {
@@ -15,11 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-FillOperation fillAt(double x) {
-  FillOperation fill;
-  fill.primitive.centre = {x, 0, 0};
-  return fill;
-}
+using testing::fillAt;
 
 class Sessions : public ::testing::Test {
  protected:
