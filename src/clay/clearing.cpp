@@ -71,11 +71,15 @@ std::uint8_t Clearing::openWays(const Region& region, std::size_t cell) const {
   return ways;
 }
 
-// Equal parts all ways; the receivers that now hold too much are next.
+// Equal parts all ways, but six givers leave no receiver with more than kMostDensity; the receivers that
+// now hold too much are next.
 void Clearing::give(Region& region, std::size_t cell, std::uint8_t ways) {
-  const float room = 1 - region.cover[cell];
   const auto parts = static_cast<float>(std::popcount(ways));
-  share_.push_back(std::floor((region.value[cell] - room) / parts / kQuantum) * kQuantum);
+  float share = (region.value[cell] - (1 - region.cover[cell])) / parts;
+  for (int way = 0; way < 6; ++way)
+    if ((ways >> way & 1) != 0)
+      share = std::min(share, (kMostDensity - region.value[cell + region.neighbours()[way]]) / 6);
+  share_.push_back(std::floor(std::max(share, 0.0f) / kQuantum) * kQuantum);
   ways_.push_back(ways);
 }
 

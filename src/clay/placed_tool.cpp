@@ -72,10 +72,30 @@ void CoverPainter::paintStatic(Region& region, const std::vector<PlacedTool>& su
   region.covered.clear();
   staticTiles_.clear();
   for (const PlacedTool& tool : supports) paint(region, tool, kStatic);
-  staticCells_ = region.covered.size();
   before_.clear();
+  sparePastClay(region);
+  staticCells_ = region.covered.size();
   if (!region.clayInRim) return;
   for (const Axis axis : kAxes) holdFaces(region, axis);
+}
+
+// Supports press nothing out: clay in which one was put stays, held by it, and takes that room.
+// (What clay that is pushed against a support leaves inside it is less than half a cell.)
+void CoverPainter::sparePastClay(Region& region) {
+  std::vector<std::uint32_t> spared;
+  for (const std::uint32_t cell : region.covered) {
+    if (region.cover[cell] < 1 || region.value[cell] < 0.5f) continue;
+    for (const std::ptrdiff_t i : {-1, 0, 1})
+      for (const std::ptrdiff_t j : {-1, 0, 1})
+        for (const std::ptrdiff_t k : {-1, 0, 1}) {
+          const std::size_t near = cell + i * region.strides()[0] + j * region.strides()[1] + k;
+          if (region.value[near] > 1 - region.cover[near])
+            spared.push_back(static_cast<std::uint32_t>(near));
+        }
+  }
+  for (const std::uint32_t cell : spared) region.cover[cell] = 0;
+  if (spared.empty()) return;
+  std::erase_if(region.covered, [&](std::uint32_t cell) { return region.cover[cell] <= 0; });
 }
 
 // Clay that goes on beyond the region is held there.

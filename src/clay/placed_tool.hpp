@@ -41,7 +41,7 @@ struct PlacedTool {
 /// Keeps `cover` and `owner` of a region: static tools once, moving tools anew each step.
 class CoverPainter {
  public:
-  /// For a region just loaded.
+  /// For a region just loaded. Where clay stands inside a support, the support gives way to it.
   void paintStatic(Region& region, const std::vector<PlacedTool>& supports);
   /// Takes the last step's moving tools away and paints these.
   void paintMoving(Region& region, const std::vector<PlacedTool>& moving);
@@ -52,6 +52,7 @@ class CoverPainter {
     float cover;
     std::uint8_t owner;
   };
+  void sparePastClay(Region& region);
   void holdFaces(Region& region, Axis axis);
   void paint(Region& region, const PlacedTool& tool, std::uint8_t owner);
   void paintTile(Region& region, const PlacedTool& tool, std::uint8_t owner, Key tile);

@@ -24,6 +24,9 @@ inline constexpr float kQuantum = 0x1p-20f;
 inline constexpr float kThin = 0.01f;
 inline constexpr std::uint8_t kFixed = 255;
 
+/// No cell is filled beyond this: where nothing gives way, matter stays where it is.
+inline constexpr float kMostDensity = 15;
+
 /// `count` cells from local (i, j, k) upwards along k.
 struct Row {
   std::size_t base;

@@ -55,6 +55,12 @@ BOZZETTO_KERNEL float fluxOut(float density, float slope, float u, float back) {
   return given > 0 ? given : 0.0f;
 }
 
+// What one of its two neighbours on an axis may give a cell.
+BOZZETTO_KERNEL float shareOfRoom(float density) {
+  const float room = 0.5f * (kMostDensity - density);
+  return room > 0 ? room : 0.0f;
+}
+
 struct FluxRow {
   RowSource source;
   const float* face;
@@ -76,7 +82,8 @@ BOZZETTO_KERNEL void fluxKernel(const FluxRow& row) {
     const float slope = forward ? own[n] : -next[n];
     const float other = limited(forward ? -row.face[n - along] : row.face[n + along]);
     const float out = fluxOut(density, slope, sizeOf(u), other > 0 ? other : 0.0f);
-    const float whole = quantised(out);
+    const float room = shareOfRoom(forward ? v[n + along] : v[n]);
+    const float whole = quantised(out < room ? out : room);
     const float kept = whole < density ? whole : density;
     row.flux[n] = forward ? kept : -kept;
   }
@@ -105,7 +112,9 @@ BOZZETTO_KERNEL void plainFluxKernel(const FluxRow& row) {
     const float left = 1 - taken[n];  // both sides together give at most all
     const float part = out[n] < left ? out[n] : left;
     const float density = ahead[n] * v[n] + (1 - ahead[n]) * v[n + along];
-    const float whole = quantised(density * part - kQuantum);
+    const float room = shareOfRoom((1 - ahead[n]) * v[n] + ahead[n] * v[n + along]);
+    const float given = density * part;
+    const float whole = quantised((given < room ? given : room) - kQuantum);
     flux[n] = (2 * ahead[n] - 1) * (0.5f * (sizeOf(whole) + whole));
   }
 }

@@ -1,5 +1,6 @@
 #include "clay/clay_fixture.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace bozzetto::clay::testing {
@@ -102,6 +103,7 @@ Measures measure(const Clay& clay) {
   if (result.stored == 0) return result;
   const Dense d(clay);
   const float iso = clay.scale.iso;
+  result.densest = *std::max_element(d.value.begin(), d.value.end());
   for (std::size_t n = 0; n < d.value.size(); ++n) {
     const double v = d.value[n];
     if (v <= 0) continue;

@@ -37,6 +37,7 @@ inline void holdBox(Clay& clay, Key low, Key high) {
 
 struct Measures {
   double mass = 0;       ///< cells
+  float densest = 0;     ///< the largest value
   double volume = 0;     ///< cells, inside iso, by linear interpolation along three axes
   int pieces = 0;        ///< 6-connected, ≥ iso
   double thickness = 0;  ///< mean 1/|∇v| on the surface, cells

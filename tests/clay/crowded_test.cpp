@@ -1,0 +1,48 @@
+// Laws: supports that stand in clay, and clay that has nowhere to go.
+#include "clay/clay_fixture.hpp"
+
+namespace bozzetto::clay::testing {
+namespace {
+
+// A table dragged over the clay, or round all of it: what stands in it stays, and takes that room.
+TEST(Crowded, SlowClayInsideASupportStays) {
+  for (const double half : {12.0, 20.0, 60.0}) {
+    Clay clay;
+    addSolid(clay, Shape::ellipsoid, {0, 0, 0}, {20, 20, 20});
+    const Measures before = measure(clay);
+    Push push{toolOf(Shape::ellipsoid, {8, 8, 8}), Role::push, {}, {}};
+    push.stroke.points = {{{0, -30, 0}, 1}, {{0, -15, 0}, 1}};
+    push.setup.supports.push_back({Shape::box, {0, 15, 0}, {half, half, half}, {1, 0, 0, 0}});
+    run(clay, push);
+    const Measures after = measure(clay);
+    EXPECT_EQ(after.pieces, 1) << half;
+    EXPECT_NEAR(after.mass / before.mass, 1, 1e-7) << half;
+    EXPECT_NEAR(after.volume / before.volume, 1, 0.01) << half;
+    EXPECT_LT(after.densest, 1.2) << half;
+  }
+}
+
+// A piston in a closed box: nothing gives way, so the tool goes through the clay.
+TEST(Crowded, SlowDensitiesAreBoundedWhereNothingGivesWay) {
+  for (const Scheme scheme : {Scheme::projected, Scheme::paper, Scheme::paperSweeps}) {
+    Clay clay;
+    addSolid(clay, Shape::box, {0, 0, 0}, {6, 6, 6});
+    const double before = statistics(clay).mass;
+    Push push{toolOf(Shape::box, {5, 5, 5}), Role::push, {}, {}};
+    push.stroke.points = {{{0, 14, 0}, 1}, {{0, -1, 0}, 1}};
+    push.setup.settings.scheme = scheme;
+    for (int n = 0; n < 6; ++n) {
+      glm::dvec3 wall(0), half(20);
+      wall[n / 2] = n % 2 == 0 ? 12.5 : -12.5;
+      half[n / 2] = 6;
+      push.setup.supports.push_back({Shape::box, wall, half, {1, 0, 0, 0}});
+    }
+    run(clay, push);
+    EXPECT_NEAR(statistics(clay).mass / before, 1, 1e-7) << toText(scheme);
+    EXPECT_LE(measure(clay).densest, kMostDensity) << toText(scheme);
+    EXPECT_EQ(validate(clay), std::nullopt);
+  }
+}
+
+}  // namespace
+}  // namespace bozzetto::clay::testing
