@@ -71,8 +71,8 @@ std::uint8_t Clearing::openWays(const Region& region, std::size_t cell) const {
   return ways;
 }
 
-// Equal parts all ways, but six givers leave no receiver with more than kMostDensity; the receivers that
-// now hold too much are next.
+// Equal parts all ways, but six givers leave no receiver with more than kMostDensity; the receivers
+// that now hold too much are next.
 void Clearing::give(Region& region, std::size_t cell, std::uint8_t ways) {
   const auto parts = static_cast<float>(std::popcount(ways));
   float share = (region.value[cell] - (1 - region.cover[cell])) / parts;
