@@ -26,7 +26,7 @@ struct NamedTool {
   Command command;
   ActionKind action;
 };
-constexpr std::array<NamedTool, 11> kTools{{{Command::toolAdd, ActionKind::add},
+constexpr std::array<NamedTool, 13> kTools{{{Command::toolAdd, ActionKind::add},
                                             {Command::toolRemove, ActionKind::remove},
                                             {Command::toolErase, ActionKind::erase},
                                             {Command::toolSmooth, ActionKind::smooth},
@@ -36,7 +36,9 @@ constexpr std::array<NamedTool, 11> kTools{{{Command::toolAdd, ActionKind::add},
                                             {Command::toolPush, ActionKind::push},
                                             {Command::toolGrip, ActionKind::grip},
                                             {Command::toolSwell, ActionKind::swell},
-                                            {Command::toolHold, ActionKind::hold}}};
+                                            {Command::toolHold, ActionKind::hold},
+                                            {Command::toolStiffen, ActionKind::stiffen},
+                                            {Command::toolSoften, ActionKind::soften}}};
 
 struct NamedTurn {
   Command command;

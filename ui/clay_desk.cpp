@@ -7,6 +7,7 @@
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/surface/statistics.hpp"
 #include "ui/clay_desk_parts.hpp"
+#include "ui/stiffness_shown.hpp"
 
 namespace bozzetto::ui {
 
@@ -176,6 +177,7 @@ void ClayDesk::replay(const std::filesystem::path& path, Progress& progress) {
 
 void ClayDesk::put(std::vector<UnpackedPatch> patches) {
   for (UnpackedPatch& patch : patches) {
+    if (stiffnessTold_.any()) patch.stiffness = stiffnessOn(patch, stiffnessTold_);
     auto& target = patch.fineness == Fineness::fine ? out_.fine : out_.coarse;
     const Key key = patch.origin;
     auto& known = patch.fineness == Fineness::fine ? fine_ : coarse_;
@@ -217,6 +219,7 @@ void ClayDesk::show() {
 }
 
 void ClayDesk::tellStatus() {
+  showStiffness();
   status_.scale = peek_ ? peek_->clay.scale : sculptor().field().scale;
   status_.bounds = bounds_;
   if (!status_.inStroke) status_.stage = Stage::around(bounds_);

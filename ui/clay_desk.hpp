@@ -152,6 +152,7 @@ class ClayDesk {
   void drape();
   void undrape();
   void put(std::vector<UnpackedPatch> patches);
+  void showStiffness();
   void hold(const HandOperations& hand);
   void account();
   void holdOne(const Operation& wanted, std::string& held);
@@ -183,6 +184,7 @@ class ClayDesk {
   double solidSpacing_ = 0;
   std::optional<RunReport> solidRan_;            // the last physics, also of a preview
   std::map<Key, PatchRef> fine_, coarse_;        // the clay's own surface, as last told
+  clay::Stiffness stiffnessTold_;                // painted, as it is tinted
   std::unique_ptr<PosedClay> posed_;             // while a wrap is seen posed
   std::shared_ptr<const Sculpture> unprepared_;  // may push clay, and knows no ways out of it yet
   ShelfPictures pictures_ = ShelfPictures::none;

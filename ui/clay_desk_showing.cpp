@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "ui/clay_desk.hpp"
+#include "ui/stiffness_shown.hpp"
 
 namespace bozzetto::ui {
 namespace {
@@ -45,6 +46,19 @@ void ClayDesk::showMesh(const SurfaceChanges& changes) {
   tellStatus();
 }
 
+// Paint is no change of the surface: patches that it meets, or met, are tinted anew.
+void ClayDesk::showStiffness() {
+  const clay::Stiffness& now = sculptor().clay().stiffness;
+  if (now.painted == stiffnessTold_.painted) return;
+  const clay::Stiffness before = std::exchange(stiffnessTold_, now);
+  const CellBounds box = differenceOf(before, now);
+  std::vector<UnpackedPatch> tinted;
+  for (const auto* patches : {&fine_, &coarse_})
+    for (const auto& [key, patch] : *patches)
+      if (meet(patch->bounds, box)) tinted.push_back(patch->data);
+  put(std::move(tinted));
+}
+
 void ClayDesk::showCloths(const SurfaceChanges& changes) {
   putCloths(dresser_->redrape(sculptor().field(), changes.blocks));
   heightSwitch_.draped(blocksIn(changes.blocks));
@@ -58,6 +72,7 @@ void ClayDesk::putCloths(std::vector<UnpackedPatch> patches) {
     PatchRef& shown = out_.heights[key];
     shown = nullptr;
     if (patch.indices.empty()) continue;
+    if (stiffnessTold_.any()) patch.stiffness = stiffnessOn(patch, stiffnessTold_);
     shown = std::make_shared<const ShownPatch>(std::move(patch));
     status_.lastEdit.add(shown->bounds);
   }

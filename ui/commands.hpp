@@ -42,6 +42,8 @@ enum class Command {
   toolGrip,
   toolSwell,
   toolHold,
+  toolStiffen,
+  toolSoften,
   uniteTool,
   subtractTool,
   intersectTool,

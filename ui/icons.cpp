@@ -72,6 +72,24 @@ void drawHold(const Sketch& sketch, const IconInks& inks) {
   sketch.list->PathFillConvex(inks.action);
 }
 
+void drawStiffen(const Sketch& sketch, const IconInks& inks) {
+  // A bar that stays straight.
+  sketch.line({-.95f, -.3f}, {.95f, -.3f}, inks.clay);
+  sketch.line({-.95f, .3f}, {.95f, .3f}, inks.clay);
+  sketch.line({-.95f, -.3f}, {-.95f, .3f}, inks.clay);
+  sketch.line({.95f, -.3f}, {.95f, .3f}, inks.clay);
+  for (const float x : {-.5f, 0.f, .5f}) sketch.line({x, -.3f}, {x, .3f}, inks.action);
+}
+
+void drawSoften(const Sketch& sketch, const IconInks& inks) {
+  // A bar that hangs through.
+  sketch.curve({-.95f, -.45f}, {-.4f, .45f}, {.4f, .45f}, {.95f, -.45f}, inks.clay);
+  sketch.curve({-.95f, .05f}, {-.4f, .95f}, {.4f, .95f}, {.95f, .05f}, inks.clay);
+  sketch.line({-.95f, -.45f}, {-.95f, .05f}, inks.clay);
+  sketch.line({.95f, -.45f}, {.95f, .05f}, inks.clay);
+  sketch.line({0, -.85f}, {0, -.15f}, inks.action);
+}
+
 void drawPush(const Sketch& sketch, const IconInks& inks) {
   // A dent between two rims.
   sketch.curve({-1, .5f}, {-.7f, .5f}, {-.75f, .05f}, {-.5f, .1f}, inks.clay);
@@ -161,6 +179,12 @@ void drawIcon(ImDrawList* list, Icon icon, const IconPlace& place, const IconInk
       break;
     case Icon::hold:
       drawHold(sketch, inks);
+      break;
+    case Icon::stiffen:
+      drawStiffen(sketch, inks);
+      break;
+    case Icon::soften:
+      drawSoften(sketch, inks);
       break;
     case Icon::push:
       drawPush(sketch, inks);

@@ -167,7 +167,8 @@ void ledgerSection(Atelier& atelier) {
 
 void holdSection(Atelier& atelier) {
   double shown = atelier.options.look.holdTint;
-  if (slider("Tint", shown, {0, 1, "%", 100, 0}, "How much held clay is tinted.")) {
+  if (slider("Tint", shown, {0, 1, "%", 100, 0},
+             "How much held clay is tinted, and what is painted stiff or soft.")) {
     atelier.options.look.holdTint = float(shown);
   }
   const float half = (ImGui::GetContentRegionAvail().x - px(8)) / 2;
@@ -176,7 +177,8 @@ void holdSection(Atelier& atelier) {
     atelier.run(Command::holdBox);
   }
   ImGui::SameLine();
-  if (button("Let all go", {half, 0}, ButtonKind::plain, "Nothing is held any more.")) {
+  if (button("Let all go", {half, 0}, ButtonKind::plain,
+             "Nothing is held any more, nor painted stiff or soft.")) {
     atelier.run(Command::releaseHold);
   }
 }

@@ -13,7 +13,7 @@ namespace {
 // What makes all of the column fit into a low window.
 float theShrinking = 1;
 
-constexpr std::array<ToolCell, 11> kCells{{
+constexpr std::array<ToolCell, 13> kCells{{
     {ActionKind::add, Command::toolAdd},
     {ActionKind::remove, Command::toolRemove},
     {ActionKind::erase, Command::toolErase},
@@ -25,6 +25,8 @@ constexpr std::array<ToolCell, 11> kCells{{
     {ActionKind::paint, Command::toolPaint, ToolCell::Starts::group},
     {ActionKind::paintSoft, Command::toolPaintSoft},
     {ActionKind::hold, Command::toolHold, ToolCell::Starts::group},
+    {ActionKind::stiffen, Command::toolStiffen},
+    {ActionKind::soften, Command::toolSoften},
 }};
 
 void toolCell(Atelier& atelier, const ToolCell& cell, float left, float top) {

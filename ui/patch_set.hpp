@@ -22,7 +22,7 @@ struct ShownPatch {
 
   explicit ShownPatch(UnpackedPatch patch, Lies where = Lies::inItsBlock)
       : data(std::move(patch)), bounds(data.bounds()), lies(where) {}
-  std::size_t uploadBytes() const { return data.positions.size() * 28 + data.indices.size() * 4; }
+  std::size_t uploadBytes() const { return data.positions.size() * 32 + data.indices.size() * 4; }
 };
 using PatchRef = std::shared_ptr<const ShownPatch>;
 

@@ -28,6 +28,8 @@ enum class Icon {
   push,
   grip,
   swell,
+  stiffen,
+  soften,
   shelf
 };
 
@@ -42,7 +44,7 @@ struct ToolRow {
   bool usesColour;
 };
 
-inline constexpr int kToolCount = 11;
+inline constexpr int kToolCount = 13;
 std::span<const ToolRow, kToolCount> toolTable();
 const ToolRow& rowOf(ActionKind action);
 
@@ -67,7 +69,8 @@ struct SculptState {
   glm::dquat rotation{1, 0, 0, 0};
   Alignment alignment = Alignment::normal;
   /// By action, in ActionKind's order.
-  std::array<double, kToolCount> strength{0.35, 0.35, 1, 1, 0.6, 0.6, 0.8, 0.6, 0.7, 0.8, 0.5};
+  std::array<double, kToolCount> strength{0.35, 0.35, 1,   1,   0.6, 0.6, 0.8,
+                                          0.6,  0.5,  0.5, 0.7, 0.8, 0.5};
   double depth = 0;  ///< of the tool's centre over the surface, in radii
   Colour colour, second{0xdc, 0xcb, 0xaa};
 

@@ -17,6 +17,17 @@ int directionOf(const glm::dvec3& motion) {
   return 2 * axis + (motion[axis] < 0 ? 1 : 0);
 }
 
+// Two tiles more on every side: whose blocks matter can reach.
+KeyBox around(const std::vector<Key>& tiles) {
+  KeyBox box{tiles.front(), tiles.front()};
+  for (const Key tile : tiles)
+    for (const Axis axis : kAxes) {
+      box.low[axis] = std::min(box.low[axis], tile[axis]);
+      box.high[axis] = std::max(box.high[axis], tile[axis]);
+    }
+  return tileBox(box, 2);
+}
+
 }  // namespace
 
 // Each cell above its limit gives α·m, or no more than what is over full, in equal parts to the
@@ -119,8 +130,19 @@ bool Automaton::sweepTile(Work& work, Key tile, int parity) {
   return given;
 }
 
-// Tiles with cells above their limits, and their neighbours: blocks reach over borders.
+// Tiles with cells above their limits, and their neighbours: blocks reach over borders. Until these
+// are looked for again matter goes no further than a tile.
 void Automaton::findHot(Work& work) {
+  listHot(work);
+  while (!tiles_.empty() && work.widen && work.widen(around(tiles_))) {
+    paintSwelling(work);
+    listHot(work);
+  }
+  hot_.assign(tiles_.size(), 1);
+  spreadHeat(work.region);
+}
+
+void Automaton::listHot(Work& work) {
   const Region& region = work.region;
   const auto threshold = static_cast<float>(work.settings.threshold);
   tiles_.clear();
@@ -132,8 +154,6 @@ void Automaton::findHot(Work& work) {
       const Key tile = Key{row.i & ~7, row.j & ~7, (row.k + k) & ~7} + region.box().low;
       if (tiles_.empty() || tiles_.back() != tile) tiles_.push_back(tile);
     }
-  hot_.assign(tiles_.size(), 1);
-  spreadHeat(region);
 }
 
 void Automaton::spreadHeat(const Region& region) {

@@ -25,6 +25,7 @@ class Automaton final : public Layer {
   void sweepOut(Work& work);
   void paintSwelling(Work& work);
   void findHot(Work& work);
+  void listHot(Work& work);
   bool sweep(Work& work, int parity);
   bool sweepTile(Work& work, Key tile, int parity);
   void spreadHeat(const Region& region);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bozzetto/clay/stiffness.hpp"
 #include "clay/influence.hpp"
 #include "clay/thinc.hpp"
 
@@ -11,6 +12,10 @@ namespace bozzetto::clay {
 namespace {
 
 constexpr int kSmoothings = 3;
+
+// Painted stiffness: a cell of clay costs this where nothing is painted, 1 where all is (no less:
+// Dial's buckets), its square where it is softest; kDearest keeps within the buckets.
+constexpr float kSpread = 4, kLogSpread = 1.3862944f, kDearest = 250;
 
 // Lets box means of 9 cells a side into the cost: thin places are weak (clay.md §3.1).
 constexpr int kMeanReach = 4;
@@ -31,7 +36,8 @@ void meanAlong(const Region& region, const Cells<float>& in, Cells<float>& out,
 }  // namespace
 
 // Entering a cell costs 1/max(v, 0.01), or with parting 1/max(0.01, v·bⁿ), b the mean of v round
-// about: then what is thin stretches first, and parts.
+// about: then what is thin stretches first, and parts. Painted stiffness makes it up to four times
+// as cheap, or as dear: what is stiff keeps its form, what is soft between gives way.
 void Displacement::findCosts(Work& work) {
   Region& region = work.region;
   const auto power = static_cast<float>(work.settings.parting);
@@ -50,6 +56,9 @@ void Displacement::findCosts(Work& work) {
       if (power > 0 && ease > 0)
         ease *= exponential(power * logarithm(std::max(region.flux[n], kThin)));
       region.rhs[n] = 1 / std::clamp(ease, 1 / kMostCost, 1.0f);
+      if (region.stiffened)
+        region.rhs[n] = std::clamp(
+            region.rhs[n] * kSpread * exponential(kLogSpread * -region.offset(n)), 1.0f, kDearest);
     }
   });
 }
@@ -88,7 +97,8 @@ void Displacement::findLead(Work& work, std::size_t tool, Cells<float>& weight) 
   const std::size_t count = work.moving.size() + 1;
   forRows(region.rows(), [&](const Row& row) { std::fill_n(&weight[row.base], row.count, 0.0f); });
   const auto& runs = pieces_.runs();
-  const auto offset = static_cast<float>(work.settings.distanceOffset);
+  const auto offset =
+      static_cast<float>(work.settings.distanceOffset) * (region.stiffened ? kSpread : 1.0f);
   parallelFor(runs.size(), 1024, [&](std::size_t begin, std::size_t end) {
     std::vector<float> apart(count * count), distance(count), share(count);
     std::uint32_t piece = ~0u;
@@ -135,15 +145,39 @@ void Displacement::smooth(Work& work, Cells<float>& weight, Cells<float>& spare)
   }
 }
 
+// How far cells follow, into `rhs`, whose costs are spent.
+void Displacement::findFollowing(Work& work) {
+  Region& region = work.region;
+  if (!region.stiffened) return;
+  const auto stiffness = static_cast<float>(work.settings.stiffness);
+  forRows(region.rows(), [&](const Row& row) {
+    for (std::size_t n = row.base; n < row.base + row.count; ++n)
+      region.rhs[n] = followingAt(stiffness, region.offset(n));
+  });
+}
+
+// How much of what it does not follow by itself clay is dragged along next to a grip: all of it
+// where the grip is, nothing a radius away. Without, clay tears where the grip ends.
+float dragAt(float distance, float reach) {
+  const float near = std::max(0.0f, 1 - distance / reach);
+  return near * near * (3 - 2 * near);
+}
+
 // δ = α·w·(rigid motion of the tool); a piece that nothing holds moves as a whole, and what a grip
 // holds moves with it.
 void Displacement::addWish(Work& work, std::size_t tool, const Cells<float>& weight) {
   Region& region = work.region;
   const Motion& motion = work.moving[tool].motion;
   const bool grips = work.moving[tool].role == Role::grip;
-  const auto own = static_cast<std::uint8_t>(kMoving + tool);
+  const auto reach =
+      static_cast<float>(work.moving[tool].radius) * (region.stiffened ? kSpread : 1.0f);
   const auto stiffness = static_cast<float>(work.settings.stiffness);
-  const Cells<float>& held = distance_.back();
+  const Cells<float>&held = distance_.back(), &away = distance_[tool];
+  const auto following = [&](std::size_t n) {
+    if (held[n] == kFar) return 1.0f;
+    const float follows = region.stiffened ? region.rhs[n] : stiffness;
+    return grips ? follows + (1 - follows) * dragAt(away[n], reach) : follows;
+  };
   forRows(region.rows(), [&](const Row& row) {
     const Key first = region.box().low + Key{row.i, row.j, row.k} - work.origin;
     const glm::dvec3 start = motion.at(glm::dvec3(first.i, first.j, first.k));
@@ -152,9 +186,7 @@ void Displacement::addWish(Work& work, std::size_t tool, const Cells<float>& wei
       const auto slope = static_cast<float>(motion.turn[2][static_cast<int>(axis)]);
       for (std::int32_t k = 0; k < row.count; ++k) {
         const std::size_t n = row.base + k;
-        const bool whole = held[n] == kFar || (grips && region.owner[n] == own);
-        region.wish[axis][n] +=
-            (whole ? weight[n] : stiffness * weight[n]) * (at + slope * static_cast<float>(k));
+        region.wish[axis][n] += following(n) * weight[n] * (at + slope * static_cast<float>(k));
       }
     }
   });
@@ -162,9 +194,12 @@ void Displacement::addWish(Work& work, std::size_t tool, const Cells<float>& wei
 
 void Displacement::run(Work& work) {
   Region& region = work.region;
-  if (work.settings.stiffness <= 0 || work.moving.empty()) return;
+  bool leads = work.settings.stiffness > 0 || region.stiffened;
+  for (const PlacedTool& tool : work.moving) leads = leads || tool.role == Role::grip;
+  if (!leads || work.moving.empty()) return;
   findCosts(work);
   findDistances(work);
+  findFollowing(work);
   for (auto& axis : region.wish)
     forRows(region.rows(), [&](const Row& row) { std::fill_n(&axis[row.base], row.count, 0.0f); });
   for (std::size_t tool = 0; tool < work.moving.size(); ++tool) {

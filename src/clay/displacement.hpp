@@ -16,6 +16,7 @@ class Displacement : public Layer {
   float between(std::size_t pair, std::uint32_t piece) const;
   void findLead(Work& work, std::size_t tool, Cells<float>& weight);
   void smooth(Work& work, Cells<float>& weight, Cells<float>& spare);
+  void findFollowing(Work& work);
   void addWish(Work& work, std::size_t tool, const Cells<float>& weight);
 
   Pieces pieces_;

@@ -1,6 +1,8 @@
 // Between the tree and a region: clay is loaded once, worked on, and stored through the caller's
 // edit. Cells that come out as they were keep their old bits.
 #pragma once
+#include <span>
+
 #include "bozzetto/field/field.hpp"
 #include "clay/region.hpp"
 
@@ -10,8 +12,17 @@ namespace bozzetto::clay {
 template <int Side>
 void load(Region& region, const Edit<CornerBlock<Side>>& edit);
 
-/// Writes what differs; returns the keys of blocks that changed, in key order.
+/// After load: painted stiffness as well.
 template <int Side>
-std::vector<KeyRun> store(Region& region, Edit<CornerBlock<Side>>& edit);
+void loadStiffness(Region& region, const Edit<CornerBlock<Side>>& edit,
+                   const Edit<CornerBlock<8>>& painted);
+
+/// Writes what differs in these tiles; returns the keys of blocks that changed, in key order.
+template <int Side>
+std::vector<KeyRun> store(const Region& region, std::span<const Key> tiles,
+                          Edit<CornerBlock<Side>>& edit);
+
+void storeStiffness(const Region& region, std::span<const Key> tiles,
+                    Edit<CornerBlock<8>>& painted);
 
 }  // namespace bozzetto::clay

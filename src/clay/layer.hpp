@@ -1,6 +1,7 @@
 // A layer edits the densities of a region once a step. Layers know nothing of each other; what they
 // share is the region, so they may run in any order and combination (Dewaele §2.2).
 #pragma once
+#include <functional>
 #include <memory>
 
 #include "bozzetto/clay/settings.hpp"
@@ -18,6 +19,9 @@ struct Work {
   float iso;
   std::int64_t step;  ///< counts over the life of the stroke
   StepReport& report;
+  /// Where clay goes on beyond the region: makes sure that this box is in it; true when it was not.
+  /// What layers keep between cells of the region is theirs to find again.
+  std::function<bool(const KeyBox&)> widen{};
 
   bool has(LayerKind layer) const {
     for (const LayerKind each : settings.layers)

@@ -56,22 +56,25 @@ void forClay(const Region& region, const Callback& callback) {
 }  // namespace
 
 void splat(Region& region) {
-  for (auto* cells : {&region.scratch, &region.face[0], &region.face[1], &region.face[2]})
+  const std::array<Cells<float>*, 4> sums{&region.face[0], &region.face[1], &region.face[2],
+                                          &region.flux};
+  for (auto* cells :
+       {&region.scratch, &region.face[0], &region.face[1], &region.face[2], &region.flux})
     forRows(region.rows(),
             [&](const Row& row) { std::fill_n(&(*cells)[row.base], row.count, 0.0f); });
-  const bool coloured = static_cast<bool>(region.colour[0]);
+  const std::size_t carried = region.carried.size();
   forClay(region, [&](std::size_t cell) {
     for (const Share& share : sharesOf(region, cell)) {
       region.scratch[share.cell] += share.amount;
-      for (std::size_t n = 0; coloured && n < 3; ++n)
-        region.face[n][share.cell] += share.amount * region.colour[n][cell];
+      for (std::size_t n = 0; n < carried; ++n)
+        (*sums[n])[share.cell] += share.amount * region.carried[n][cell];
     }
   });
   forRows(region.rows(), [&](const Row& row) {
     for (std::size_t cell = row.base; cell < row.base + row.count; ++cell) {
       const float mass = region.value[cell] = region.scratch[cell];
-      for (std::size_t n = 0; coloured && mass > 0 && n < 3; ++n)
-        region.colour[n][cell] = region.face[n][cell] / mass;
+      for (std::size_t n = 0; mass > 0 && n < carried; ++n)
+        region.carried[n][cell] = (*sums[n])[cell] / mass;
     }
   });
   region.wished = false;

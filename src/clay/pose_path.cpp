@@ -46,7 +46,8 @@ Pose PosePath::at(double steps) const {
   if (n == 0) return poses_.front();
   const double t = (distance - distance_[n - 1]) / (distance_[n] - distance_[n - 1]);
   Pose pose{glm::mix(poses_[n - 1].position, poses_[n].position, t),
-            glm::slerp(poses_[n - 1].rotation, poses_[n].rotation, t)};
+            glm::slerp(poses_[n - 1].rotation, poses_[n].rotation, t),
+            rounded(glm::mix(poses_[n - 1].size, poses_[n].size, t), 0x1p-16)};
   for (int axis = 0; axis < 3; ++axis) {
     pose.position[axis] = rounded(pose.position[axis], 0x1p-16);
     pose.rotation[axis] = rounded(pose.rotation[axis], 0x1p-24);

@@ -9,6 +9,7 @@ namespace bozzetto::clay {
 struct Pose {
   glm::dvec3 position{0};  ///< cells from the stroke's origin
   glm::dquat rotation{1, 0, 0, 0};
+  double size = 1;  ///< of the tool, × its radii
 };
 
 class PosePath {

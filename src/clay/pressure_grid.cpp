@@ -50,6 +50,17 @@ BOZZETTO_KERNEL void residualKernel(const ResidualRow& row, float* __restrict su
 BOZZETTO_SIMD_DISPATCH(void, residualRow, residualKernel, (const ResidualRow& row, float* sums),
                        (row, sums))
 
+// Coarse grids have P itself, what is left of its equation is m times as much as of that for Q.
+void fadedResidualRow(const ResidualRow& row, const float* m, float* sums) {
+  const float *p = row.pressure, *inverse = row.inverse;
+  for (int n = 0; n < row.count; ++n) {
+    if (inverse[n] <= 0) continue;
+    const float sum =
+        ((p[n + row.di] + p[n - row.di]) + (p[n + row.dj] + p[n - row.dj])) + (p[n + 1] + p[n - 1]);
+    sums[n / 2] += m[n] * ((sum - row.rhs[n]) - p[n] / inverse[n]);
+  }
+}
+
 // Four coarse cells in a row, and those behind their far faces, are clay without air round it: what
 // most of a body is.
 bool openAllRound(const std::uint8_t* type, const std::uint8_t* air,
@@ -68,6 +79,16 @@ bool openAllRound(const std::uint8_t* type, const std::uint8_t* air,
       const bool own = i < 2 && j < 2;
       if (own && (eight(air + row) != 0 || type[row + 8] != kClay)) return false;
     }
+  return true;
+}
+
+// Of eight cells in a row and those beside them; freedom is concave: its least is at a corner.
+bool freeAllRound(const Region& region, std::size_t n) {
+  if (!region.fade) return true;
+  const auto& step = region.strides();
+  for (std::size_t c = 0; c < 8; ++c)
+    if (region.fade[n + (c >> 2) * step[0] + (c >> 1 & 1) * step[1] + 7 * (c & 1)] < 1)
+      return false;
   return true;
 }
 
@@ -116,9 +137,11 @@ void PressureGrid::linkFine(const Region& region) {
   const auto& step = region.strides();
   const std::uint8_t* type = region.type.data();
   const auto joined = [&](std::size_t n, std::ptrdiff_t way) {
-    return type[n] == kClay && type[n + way] == kClay ? 1 : 0;
+    return type[n] == kClay && type[n + way] == kClay ? 1.0f : 0.0f;
   };
-  const auto open = [&](std::size_t n) { return openAllRound(type + n, &region.mark2[n], step); };
+  const auto open = [&](std::size_t n) {
+    return freeAllRound(region, n) && openAllRound(type + n, &region.mark2[n], step);
+  };
   forRows(level.rows, [&](const Row& row) {
     const auto first = static_cast<std::size_t>(2 * (row.i * step[0] + row.j * step[1] + row.k));
     for (std::int32_t k = 0; k < row.count; ++k) {
@@ -129,17 +152,17 @@ void PressureGrid::linkFine(const Region& region) {
         k += 3;
         continue;
       }
-      int air = 0, links[3] = {0, 0, 0};
+      float air = 0, links[3] = {0, 0, 0};
       for (std::size_t c = 0; c < 8; ++c) {
         const std::size_t cell = n + (c >> 2) * step[0] + (c >> 1 & 1) * step[1] + (c & 1);
-        air += region.mark2[cell];
-        if ((c & 4) != 0) links[0] += joined(cell, step[0]);
-        if ((c & 2) != 0) links[1] += joined(cell, step[1]);
-        if ((c & 1) != 0) links[2] += joined(cell, step[2]);
+        const float free = region.freedom(cell), area = free * free;
+        air += area * region.mark2[cell];
+        if ((c & 4) != 0) links[0] += area * joined(cell, step[0]);
+        if ((c & 2) != 0) links[1] += area * joined(cell, step[1]);
+        if ((c & 1) != 0) links[2] += area * joined(cell, step[2]);
       }
-      level.air[row.base + k] = static_cast<float>(air);
-      for (std::size_t a = 0; a < 3; ++a)
-        level.link[a][row.base + k] = kLinkWeight * static_cast<float>(links[a]);
+      level.air[row.base + k] = air;
+      for (std::size_t a = 0; a < 3; ++a) level.link[a][row.base + k] = kLinkWeight * links[a];
     }
   });
 }
@@ -191,9 +214,16 @@ void PressureGrid::restrictFine(const Region& region) {
     for (std::int32_t n = 0; n < 4; ++n) {
       const auto first = static_cast<std::size_t>((2 * row.i + (n >> 1)) * step[0] +
                                                   (2 * row.j + (n & 1)) * step[1] + 2 * row.k);
-      residualRow({&region.pressure[first], &region.rhs[first], &region.inverse[first], step[0],
-                   step[1], 2 * row.count},
-                  sums);
+      const ResidualRow fine{&region.pressure[first],
+                             &region.rhs[first],
+                             &region.inverse[first],
+                             step[0],
+                             step[1],
+                             2 * row.count};
+      if (region.fade)
+        fadedResidualRow(fine, &region.fade[first], sums);
+      else
+        residualRow(fine, sums);
     }
   });
 }
@@ -275,7 +305,7 @@ void PressureGrid::correct(Region& region) {
       const float *inverse = &region.inverse[first], *error = &coarse.pressure[row.base];
       float* pressure = &region.pressure[first];
       for (std::int32_t k = 0; k < 2 * row.count; ++k)
-        pressure[k] += inverse[k] > 0 ? error[k / 2] : 0.0f;
+        pressure[k] += inverse[k] > 0 ? error[k / 2] * region.freedom(first + k) : 0.0f;
     }
   });
 }

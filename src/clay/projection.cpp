@@ -106,6 +106,51 @@ BOZZETTO_KERNEL void sourceKernel(const SourceRow& row) {
 
 BOZZETTO_SIMD_DISPATCH(void, sourceRow, sourceKernel, (const SourceRow& row), (row))
 
+struct FadeRow {
+  const float* fade;
+  const std::uint8_t* type;
+  std::ptrdiff_t step[3];
+  float *rhs, *inverse;
+  int count;
+};
+
+// Where clay moves less freely: with a conductance of m·mₙ a face, and P = Q/m, the equation is
+// Σ(Qₙ − (mₙ/m)Q) = rhs/m. Sweeps and coarse grids are as they were; Q is in `pressure`.
+BOZZETTO_KERNEL void fadeKernel(const FadeRow& row) {
+  float weight[kPiece];
+  for (int first = 0; first < row.count; first += kPiece) {
+    const int count = row.count - first < kPiece ? row.count - first : kPiece;
+    const float* m = row.fade + first;
+    const std::uint8_t* type = row.type + first;
+    for (int n = 0; n < count; ++n) weight[n] = 0;
+    for (const std::ptrdiff_t step : row.step)
+      for (const std::ptrdiff_t way : {step, -step})
+        for (int n = 0; n < count; ++n)
+          weight[n] += static_cast<float>(1 - (type[n + way] >> 1)) * m[n + way];
+    float* __restrict rhs = row.rhs + first, * __restrict inverse = row.inverse + first;
+    for (int n = 0; n < count; ++n) {
+      const float clay = type[n] == kClay ? 1.0f : 0.0f;
+      inverse[n] = weight[n] > 0 ? clay * m[n] / weight[n] : 0.0f;
+      rhs[n] = clay > 0 ? rhs[n] / m[n] : 0.0f;
+    }
+  }
+}
+
+BOZZETTO_SIMD_DISPATCH(void, fadeRow, fadeKernel, (const FadeRow& row), (row))
+
+void fadeSources(Region& region) {
+  if (!region.fade) return;
+  const auto& step = region.strides();
+  forRows(region.denseRows(), [&](const Row& row) {
+    fadeRow({&region.fade[row.base],
+             &region.type[row.base],
+             {step[0], step[1], step[2]},
+             &region.rhs[row.base],
+             &region.inverse[row.base],
+             row.count});
+  });
+}
+
 void findSources(Region& region) {
   const auto& step = region.strides();
   forRows(region.denseRows(), [&](const Row& row) {
@@ -184,6 +229,21 @@ BOZZETTO_KERNEL void gradientKernel(const GradientRow& row) {
 
 BOZZETTO_SIMD_DISPATCH(void, gradientRow, gradientKernel, (const GradientRow& row), (row))
 
+// The flux is m·mₙ·(Pₙ − P) = m·Qₙ − mₙ·Q.
+BOZZETTO_KERNEL void fadedGradientKernel(const GradientRow& row, const float* m) {
+  const std::uint8_t *own = row.type, *next = row.type + row.step;
+  const float *p = row.pressure, *q = row.pressure + row.step, *mn = m + row.step;
+  float* __restrict face = row.face;
+  for (int n = 0; n < row.count; ++n) {
+    const int open = 1 - ((own[n] | next[n]) >> 1 & 1);
+    const int clay = (own[n] | next[n]) & open;
+    face[n] = row.kept * face[n] - static_cast<float>(clay) * (m[n] * q[n] - mn[n] * p[n]);
+  }
+}
+
+BOZZETTO_SIMD_DISPATCH(void, fadedGradientRow, fadedGradientKernel,
+                       (const GradientRow& row, const float* m), (row, m))
+
 struct KnownRow {
   const std::uint8_t* type;
   std::uint8_t* known;
@@ -214,9 +274,18 @@ BOZZETTO_SIMD_DISPATCH(void, knownRow, knownKernel, (const KnownRow& row), (row)
 void subtractGradient(Region& region) {
   const auto& step = region.strides();
   forRows(region.rows(), [&](const Row& row) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      gradientRow({&region.type[row.base], &region.pressure[row.base], &region.face[axis][row.base],
-                   step[axis], row.count, region.wished ? 1.0f : 0.0f});
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const GradientRow faces{&region.type[row.base],
+                              &region.pressure[row.base],
+                              &region.face[axis][row.base],
+                              step[axis],
+                              row.count,
+                              region.wished ? 1.0f : 0.0f};
+      if (region.fade)
+        fadedGradientRow(faces, &region.fade[row.base]);
+      else
+        gradientRow(faces);
+    }
   });
   forRows(region.bandRows(), [&](const Row& row) {
     knownRow(
@@ -361,6 +430,7 @@ void Projection::run(Work& work, const SolverOptions& options) {
   if (region.wished)
     for (std::size_t axis = 0; axis < 3; ++axis) findFaces(region, axis);
   findSources(region);
+  fadeSources(region);
   grid_.prepare(region);
   for (int cycle = 0; cycle < options.cycles; ++cycle) {
     for (int n = 0; n < 2 * options.before; ++n) sweep(region, n % 2, kOverRelaxation);

@@ -23,6 +23,8 @@ inline constexpr float kQuantum = 0x1p-20f;
 /// Cells that hold less have no clay as far as distances and seeds are concerned (clay.md §3.1).
 inline constexpr float kThin = 0.01f;
 inline constexpr std::uint8_t kFixed = 255;
+/// Painted stiffness in a region: this much above or below is as much as there can be.
+inline constexpr float kNoOffset = 127;
 
 /// No cell is filled beyond this: where nothing gives way, matter stays where it is.
 inline constexpr float kMostDensity = 15;
@@ -61,6 +63,13 @@ class Region {
   /// Steps to the six neighbours: +i, −i, +j, −j, +k, −k.
   const std::array<std::ptrdiff_t, 6>& neighbours() const { return neighbours_; }
 
+  /// How freely clay moves, 0 … 1.
+  float freedom(std::size_t cell) const { return fade ? fade[cell] : 1.0f; }
+  /// Of painted stiffness, −1 … 1; only where it is stiffened.
+  float offset(std::size_t cell) const {
+    return (carried.back()[cell] - kNoOffset) * (1 / kNoOffset);
+  }
+
   /// Looks where clay is now and lists the rows: at tiles that were touched or, after touchRows(),
   /// at all that were listed too; matter moves less than a tile between two calls, or is told by
   /// touch().
@@ -92,19 +101,23 @@ class Region {
   std::vector<Key> takeChanged();
   bool inRim(Key key) const;
 
-  /// Moves matter, and its colour, between two cells. Exact for multiples of 2⁻²⁰.
+  /// Moves matter, and what it carries, between two cells. Exact for multiples of 2⁻²⁰.
   void carry(std::size_t from, std::size_t to, float amount) {
     const float sum = value[to] + amount;
-    if (colour[0] && sum > 0)
-      for (auto& channel : colour) channel[to] += (channel[from] - channel[to]) * (amount / sum);
+    if (sum > 0)
+      for (auto& channel : carried) channel[to] += (channel[from] - channel[to]) * (amount / sum);
     value[to] = sum;
     value[from] -= amount;
   }
 
   Cells<float> value, cover, pressure, pressureNext, rhs, inverse, flux, scratch, scratch2;
-  std::array<Cells<float>, 3> wish;    ///< displacement of cells
-  std::array<Cells<float>, 3> face;    ///< displacement at faces to the next cell
-  std::array<Cells<float>, 3> colour;  ///< 0…255; empty where one colour is all
+  std::array<Cells<float>, 3> wish;  ///< displacement of cells
+  std::array<Cells<float>, 3> face;  ///< displacement at faces to the next cell
+  /// What travels with matter, 0 … 255: red, green and blue where there is more than one colour,
+  /// then painted stiffness, kNoOffset where there is none.
+  std::vector<Cells<float>> carried;
+  bool colourful = false, stiffened = false;  ///< which of these there are
+  Cells<float> fade;                          ///< freedom towards the rim; empty: 1
   Cells<std::uint8_t> hold, owner, type, mark, mark2;
   std::vector<std::uint32_t> covered;  ///< cells that tools cover, static ones first
   std::uint32_t onlyColour = 0;        ///< attributes without hold

@@ -85,10 +85,14 @@ void Stepper::finish(Work& work) {
   work.region.refreshRows();
 }
 
+void Stepper::paint(Region& region, const std::vector<PlacedTool>& moving) {
+  painter_.paintMoving(region, moving);
+  region.listBand();
+}
+
 void Stepper::step(Work& work) {
   Region& region = work.region;
-  painter_.paintMoving(region, work.moving);
-  region.listBand();
+  paint(region, work.moving);
   for (const auto& layer : layers_) layer->run(work);
   if (region.wished) {
     followWish(work);

@@ -9,6 +9,8 @@ class Stepper {
   explicit Stepper(const Settings& settings);
   /// The region's static tools are painted already.
   void step(Work& work);
+  /// For a region loaded in the middle of a step.
+  void paint(Region& region, const std::vector<PlacedTool>& moving);
   /// After the last.
   void finish(Work& work);
   /// For a region just loaded.

@@ -8,9 +8,12 @@
 #include "bozzetto/tool/relative.hpp"
 #include "clay/diffusion.hpp"
 #include "clay/exchange.hpp"
+#include "clay/fade.hpp"
+#include "clay/paint_moved.hpp"
 #include "clay/pose_path.hpp"
 #include "clay/reach.hpp"
 #include "clay/stepper.hpp"
+#include "clay/supports.hpp"
 
 namespace bozzetto::clay {
 namespace {
@@ -19,19 +22,12 @@ constexpr double kStepCells = 0.5;       // clay.md §3.0
 constexpr double kFluid = 0.1;           // less stiffness than this leads nobody far
 constexpr std::size_t kMostImages = 64;  // tools that move at once
 constexpr double kFluidReach = 1.5;      // × radius
-constexpr std::int64_t kMostRegion = std::int64_t{1} << 31;  // cells are counted in 32 bits
+constexpr double kFadeReach = 1;         // × radius: the outer part of that
+constexpr double kSweepReach = 24;       // cells: tiles beside the tool and their neighbours
+constexpr std::int64_t kMostRegion = std::int64_t{1} << 31;   // cells are counted in 32 bits
+constexpr std::int64_t kMostWidened = std::int64_t{1} << 24;  // of these, for travelling matter
 constexpr std::int32_t kRoom = 2;   // tiles of air round the clay of a region
 constexpr std::int32_t kSlack = 1;  // tiles a tool may move before its region does
-
-PlacedTool place(std::unique_ptr<Solid> solid, const DabPose& pose, Role role) {
-  PlacedTool tool;
-  tool.solid = std::move(solid);
-  tool.box = grown(dabBox(pose), 1);
-  tool.role = role;
-  tool.radius = std::max({pose.radii.x, pose.radii.y, pose.radii.z});
-  tool.smallest = std::min({pose.radii.x, pose.radii.y, pose.radii.z});
-  return tool;
-}
 
 KeyBox united(const KeyBox& a, const KeyBox& b) {
   if (a.empty()) return b;
@@ -48,26 +44,22 @@ bool within(const KeyBox& box, const KeyBox& outer) {
   return outer.contains(box.low) && outer.contains(box.high);
 }
 
-std::vector<PlacedTool> placeSupports(const std::vector<Support>& supports, double spacing) {
-  std::vector<PlacedTool> placed;
-  for (const Support& support : supports) {
-    const Key origin = cellOf(support.centre, spacing, "support centre");
-    const DabPose pose{origin, relativeTo(origin, support.centre, spacing),
-                       glm::mat3_cast(normalisedRotation(support.rotation)),
-                       support.radii / spacing};
-    auto solid = support.shape == Shape::freeform ? makeSolid(support.sculpture, pose)
-                                                  : makeSolid(support.shape, pose);
-    placed.push_back(place(std::move(solid), pose, Role::support));
-  }
-  return placed;
-}
-
-// Warm start: the pressure where both regions are.
-void keepPressure(const Region& from, Region& to) {
+// Where both regions are: the pressure, for a warm start, and what cells wish for.
+void keepWork(const Region& from, Region& to) {
+  to.wished = from.wished;
+  for (const Row& row : from.rows())
+    for (std::int32_t n = 0; to.wished && n < row.count; ++n) {
+      const Key key = from.box().low + Key{row.i, row.j, row.k + n};
+      for (std::size_t axis = 0; to.inner().contains(key) && axis < 3; ++axis)
+        to.wish[axis][to.index(key)] = from.wish[axis][row.base + n];
+    }
   for (const Row& row : from.denseRows())
     for (std::int32_t n = 0; n < row.count; ++n) {
       const Key key = from.box().low + Key{row.i, row.j, row.k + n};
-      if (to.inner().contains(key)) to.pressure[to.index(key)] = from.pressure[row.base + n];
+      if (!to.inner().contains(key)) continue;
+      const std::size_t cell = to.index(key);
+      to.pressure[cell] =
+          from.pressure[row.base + n] * (to.freedom(cell) / from.freedom(row.base + n));
     }
 }
 
@@ -84,29 +76,19 @@ void requireSound(const Stroke& stroke) {
                 std::to_string(stroke.points.size()) + " expected, one a point");
   }
   bozzetto::requireValid(stroke.symmetry);
+  bozzetto::requireValid(stroke.placement);
+}
+
+std::vector<glm::dvec3> copiesOf(const Placement& placement, double spacing) {
+  std::vector<glm::dvec3> copies;
+  for (int i = 0; i < placement.copies[0]; ++i)
+    for (int j = 0; j < placement.copies[1]; ++j)
+      for (int k = 0; k < placement.copies[2]; ++k)
+        copies.push_back(glm::dvec3(i, j, k) * placement.copyStep / spacing);
+  return copies;
 }
 
 }  // namespace
-
-bool operator==(const Support& a, const Support& b) {
-  if (a.shape != b.shape || a.centre != b.centre || a.radii != b.radii || a.rotation != b.rotation)
-    return false;
-  if (a.shape != Shape::freeform || a.sculpture == b.sculpture) return true;
-  if (!a.sculpture || !b.sculpture) return false;
-  return a.sculpture->scale() == b.sculpture->scale() &&
-         fieldHash(a.sculpture->clay()) == fieldHash(b.sculpture->clay());
-}
-
-void requireValid(const Support& support) {
-  normalisedRotation(support.rotation);
-  if (support.shape == Shape::freeform && !support.sculpture)
-    throw Error("support: freeform without a sculpture found, one expected");
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(support.radii[axis] > 0) || !std::isfinite(support.radii[axis])) {
-      throw Error("support radius: " + std::to_string(support.radii[axis]) +
-                  " found, a number above 0 expected");
-    }
-}
 
 template <int Side>
 struct ClayStroke<Side>::State {
@@ -119,11 +101,15 @@ struct ClayStroke<Side>::State {
   std::string notice;
   Key origin;
   std::vector<glm::dmat3> images;
+  std::vector<glm::dvec3> copies;  // where they stand, from the tool, in cells
+  bool sizes = false;              // pressure does
   glm::dvec3 centre{0};
   std::optional<PosePath> path;
   std::vector<PlacedTool> supports;
   Stepper stepper;
   std::optional<Region> region;
+  PaintMoved paint;
+  double stiffest;  // anywhere
   bool whole = true, touching = false;
   std::vector<KeyRun> changed;  // by what was stored between two calls of store()
 
@@ -135,7 +121,9 @@ struct ClayStroke<Side>::State {
         doing(doing_),
         iso(scale.iso),
         supports(placeSupports(setup_.supports, scale.spacing)),
-        stepper(setup.settings) {}
+        stepper(setup.settings),
+        paint(setup_.stiffness),
+        stiffest(followingAt(static_cast<float>(setup.settings.stiffness), paint.most())) {}
 
   bool runs(LayerKind kind) const {
     const auto& layers = setup.settings.layers;
@@ -145,30 +133,46 @@ struct ClayStroke<Side>::State {
   // Nothing happens far from the tool.
   bool fluid() const {
     if (doing.role == Role::swell) return true;
-    if (runs(LayerKind::automaton)) return false;  // matter travels
-    return setup.settings.stiffness <= kFluid || !runs(LayerKind::displacement);
+    if (runs(LayerKind::automaton) && doing.role == Role::grip) return false;  // pulled from afar
+    return stiffest <= kFluid || !runs(LayerKind::displacement);
   }
 
   double radius() const { return std::max({tool.radii.x, tool.radii.y, tool.radii.z}); }
 
-  // How far round the tool fluid clay gives way.
+  // How far round the tool fluid clay gives way; the automaton asks for more where it goes further.
   std::int32_t margin() const {
+    const bool sweeps = doing.role == Role::swell || runs(LayerKind::automaton);
     double cells = kFluidReach * radius();
+    if (sweeps && !runs(LayerKind::conservation)) cells = kSweepReach;
+    if (sweeps) cells = std::max(cells, kSweepReach);
     if (runs(LayerKind::diffusion)) {
       const double farthest = diffusionReach(setup.settings, radius());
-      cells = runs(LayerKind::conservation) ? std::max(cells, farthest) : farthest;
+      const bool others = sweeps || runs(LayerKind::conservation);
+      cells = others ? std::max(cells, farthest) : farthest;
     }
     return static_cast<std::int32_t>(cells);
   }
 
   DabPose dabPose(const Pose& pose) const {
-    return {origin, pose.position, glm::mat3_cast(pose.rotation * tool.rotation), tool.radii};
+    return {origin, pose.position, glm::mat3_cast(pose.rotation * tool.rotation),
+            tool.radii * pose.size};
+  }
+
+  // Smaller than two cells no tool is.
+  double leastSize() const {
+    const double smallest = std::min({tool.radii.x, tool.radii.y, tool.radii.z});
+    return std::min(1.0, kSmallestToolCells / smallest);
   }
 
   // Checks it, and that the tool has room there.
   Pose poseOf(const StrokePoint& point, const glm::dquat& rotation) const {
     cellOf(point.position, spacing, "stroke point");
-    const Pose pose{relativeTo(origin, point.position, spacing), normalisedRotation(rotation)};
+    if (!(point.pressure >= 0 && point.pressure <= 1)) {
+      throw Error("stroke pressure: " + std::to_string(point.pressure) +
+                  " found, a number in 0…1 expected");
+    }
+    const Pose pose{relativeTo(origin, point.position, spacing), normalisedRotation(rotation),
+                    sizes ? std::max(point.pressure, leastSize()) : 1};
     dabBox(dabPose(pose));
     return pose;
   }
@@ -193,18 +197,19 @@ struct ClayStroke<Side>::State {
     const glm::dmat3 turn =
         glm::mat3_cast(to.rotation) * glm::transpose(glm::mat3_cast(from.rotation));
     std::vector<PlacedTool> tools;
-    for (const glm::dmat3& image : images) {
-      DabPose pose = dabPose(to);
-      pose.position = centre + image * (to.position - centre);
-      pose.orientation = image * pose.orientation;
-      const glm::dmat3 turned = image * turn * glm::transpose(image);
-      const glm::dvec3 start = centre + image * (from.position - centre);
-      const Motion motion{turned - glm::dmat3(1), pose.position - turned * start};
-      PlacedTool placed = placeAt(pose);
-      placed.motion = motion;
-      placed.strength = static_cast<float>(doing.strength);
-      tools.push_back(std::move(placed));
-    }
+    for (const glm::dvec3& copy : copies)
+      for (const glm::dmat3& image : images) {
+        DabPose pose = dabPose(to);
+        pose.position = centre + image * (to.position + copy - centre);
+        pose.orientation = image * pose.orientation;
+        const glm::dmat3 turned = image * turn * glm::transpose(image);
+        const glm::dvec3 start = centre + image * (from.position + copy - centre);
+        const Motion motion{turned - glm::dmat3(1), pose.position - turned * start};
+        PlacedTool placed = placeAt(pose);
+        placed.motion = motion;
+        placed.strength = static_cast<float>(doing.strength);
+        tools.push_back(std::move(placed));
+      }
     return tools;
   }
 
@@ -239,7 +244,9 @@ struct ClayStroke<Side>::State {
 
   void storeRegion() {
     if (!region) return;
-    const auto keys = clay::store<Side>(*region, *edit);
+    const std::vector<Key> tiles = region->takeChanged();
+    const auto keys = clay::store<Side>(*region, tiles, *edit);
+    paint.store(*region, tiles);
     changed.insert(changed.end(), keys.begin(), keys.end());
   }
 
@@ -257,8 +264,10 @@ struct ClayStroke<Side>::State {
     }
     Region next(box);
     clay::load<Side>(next, *edit);
+    paint.load<Side>(next, *edit);
+    if (!whole && next.clayInRim) fadeTowardsRim(next, kFadeReach * radius());
     stepper.begin(next, supports);
-    if (region) keepPressure(*region, next);
+    if (region) keepWork(*region, next);
     region.emplace(std::move(next));
   }
 
@@ -294,7 +303,19 @@ struct ClayStroke<Side>::State {
 
   void run(const std::vector<PlacedTool>& tools, std::int64_t n, StepReport& report) {
     Work work{*region, tools, supports, origin, setup.settings, iso, n, report};
+    if (!whole) work.widen = [&](const KeyBox& box) { return widen(box, tools); };
     stepper.step(work);
+  }
+
+  // In the middle of a step. Too much is left as it is: clay beyond counts as held.
+  bool widen(const KeyBox& box, const std::vector<PlacedTool>& tools) {
+    if (within(box, region->inner())) return false;
+    const Reach wider{united(region->inner(), box), false};
+    if (wider.box.count() > kMostWidened) return false;
+    region->refreshRows();
+    load(wider, wider.box);
+    stepper.paint(*region, tools);
+    return true;
   }
 };
 
@@ -312,9 +333,12 @@ ClayStroke<Side>::ClayStroke(Edit<CornerBlock<Side>>& edit, const FieldScale& sc
   state_->notice = fitted.notice;
   state_->origin = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
   state_->images = imagesOf(stroke.symmetry);
-  if (state_->images.size() > kMostImages) {
-    throw Error("stroke: " + std::to_string(state_->images.size()) +
-                " images found, at most 64 expected where clay is moved");
+  state_->copies = copiesOf(stroke.placement, scale.spacing);
+  state_->sizes = stroke.pressure.size;
+  const std::size_t images = state_->images.size() * state_->copies.size();
+  if (images > kMostImages) {
+    throw Error("stroke: " + std::to_string(images) +
+                " images and copies found, at most 64 expected where clay is moved");
   }
   state_->centre = relativeTo(state_->origin, stroke.symmetry.centre, scale.spacing);
   std::vector<Pose> poses;
@@ -385,12 +409,17 @@ std::vector<KeyRun> ClayStroke<Side>::store() {
   return changed;
 }
 
+template <int Side>
+Stiffness ClayStroke<Side>::stiffness() {
+  return state_->paint.now();
+}
+
 template class ClayStroke<1>;
 template class ClayStroke<8>;
 
 template <int Side>
-std::vector<KeyRun> relax(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
-                          const Setup& setup, int steps) {
+std::vector<KeyRun> relax(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, Setup& setup,
+                          int steps) {
   requireValid(setup.settings);
   for (const Support& support : setup.supports) requireValid(support);
   const Reach reach = allClay<Side>(edit);
@@ -399,6 +428,8 @@ std::vector<KeyRun> relax(Edit<CornerBlock<Side>>& edit, const FieldScale& scale
     throw Error("relax: more clay found than the working set of 16 million cells can hold");
   Region region(tileBox(reach.box, 1 + kRoom));
   load<Side>(region, edit);
+  PaintMoved paint(setup.stiffness);
+  paint.load<Side>(region, edit);
   Stepper stepper(setup.settings);
   const auto supports = placeSupports(setup.supports, scale.spacing);
   stepper.begin(region, supports);
@@ -408,10 +439,13 @@ std::vector<KeyRun> relax(Edit<CornerBlock<Side>>& edit, const FieldScale& scale
     Work work{region, none, supports, {}, setup.settings, scale.iso, n, report};
     stepper.step(work);
   }
-  return store<Side>(region, edit);
+  const std::vector<Key> tiles = region.takeChanged();
+  paint.store(region, tiles);
+  setup.stiffness = paint.now();
+  return store<Side>(region, tiles, edit);
 }
 
-template std::vector<KeyRun> relax(Edit<CornerBlock<1>>&, const FieldScale&, const Setup&, int);
-template std::vector<KeyRun> relax(Edit<CornerBlock<8>>&, const FieldScale&, const Setup&, int);
+template std::vector<KeyRun> relax(Edit<CornerBlock<1>>&, const FieldScale&, Setup&, int);
+template std::vector<KeyRun> relax(Edit<CornerBlock<8>>&, const FieldScale&, Setup&, int);
 
 }  // namespace bozzetto::clay

@@ -76,7 +76,7 @@ void gather(Region& region, std::size_t cell) {
   region.scratch[cell] = sum;
 }
 
-void gatherColour(Region& region, Cells<float>& channel, std::size_t cell) {
+void gatherCarried(Region& region, Cells<float>& channel, std::size_t cell) {
   const float own = region.mark[cell] == 0 ? region.value[cell] : 0.0f;
   float mass = own, sum = own * channel[cell];
   for (std::uint8_t way = 0; way < 6; ++way) {
@@ -98,16 +98,15 @@ void sweepDust(Work& work) {
     for (std::size_t n = row.base; n < row.base + row.count; ++n)
       region.mark[n] = any ? refuge(work, n) : std::uint8_t{0};
   });
-  if (region.colour[0])
-    for (auto& channel : region.colour) {
-      forRows(region.bandRows(), [&](const Row& row) {
-        for (std::size_t n = row.base; n < row.base + row.count; ++n)
-          gatherColour(region, channel, n);
-      });
-      forRows(region.bandRows(), [&](const Row& row) {
-        std::copy_n(&region.scratch2[row.base], row.count, &channel[row.base]);
-      });
-    }
+  for (auto& channel : region.carried) {
+    forRows(region.bandRows(), [&](const Row& row) {
+      for (std::size_t n = row.base; n < row.base + row.count; ++n)
+        gatherCarried(region, channel, n);
+    });
+    forRows(region.bandRows(), [&](const Row& row) {
+      std::copy_n(&region.scratch2[row.base], row.count, &channel[row.base]);
+    });
+  }
   forRows(region.bandRows(), [&](const Row& row) {
     for (std::size_t n = row.base; n < row.base + row.count; n += Region::kTile) {
       if (moves(region, n)) {

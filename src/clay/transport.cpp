@@ -200,10 +200,10 @@ void findFluxes(Region& region, std::size_t axis) {
   });
 }
 
-// The colour that crosses a face: the donor's, bent towards its neighbours by a limiter (superbee)
-// so that borders between colours stay sharp.
-float colourAcross(const Region& region, const Cells<float>& c, std::size_t donor,
-                   std::ptrdiff_t ahead) {
+// The colour or stiffness that crosses a face: the donor's, bent towards its neighbours by a
+// limiter (superbee) so that borders stay sharp.
+float carriedAcross(const Region& region, const Cells<float>& c, std::size_t donor,
+                    std::ptrdiff_t ahead) {
   const float here = c[donor], u = 0.5f;
   if (region.value[donor + ahead] <= 0 || region.value[donor - ahead] <= 0) return here;
   const float forward = c[donor + ahead] - here, behind = here - c[donor - ahead];
@@ -213,10 +213,10 @@ float colourAcross(const Region& region, const Cells<float>& c, std::size_t dono
   return here + 0.5f * (1 - u) * limiter * forward;
 }
 
-// New colour = matter-weighted mean of what stays and what comes.
-void moveColours(Region& region, std::size_t axis) {
+// What is carried = matter-weighted mean of what stays and what comes.
+void moveCarried(Region& region, std::size_t axis) {
   const std::ptrdiff_t step = region.strides()[axis];
-  for (auto& channel : region.colour) {
+  for (auto& channel : region.carried) {
     forRows(region.rows(), [&](const Row& row) {
       for (std::size_t n = row.base; n < row.base + row.count; ++n) {
         const float in = region.flux[n - step], out = region.flux[n];
@@ -224,7 +224,7 @@ void moveColours(Region& region, std::size_t axis) {
         if (in == 0 && out == 0) continue;
         const auto carried = [&](float flux, std::size_t from, std::size_t to) {
           const std::size_t donor = flux > 0 ? from : to;
-          return flux * colourAcross(region, channel, donor, flux > 0 ? step : -step);
+          return flux * carriedAcross(region, channel, donor, flux > 0 ? step : -step);
         };
         const float before = region.value[n], after = before + in - out;
         const float sum =
@@ -252,7 +252,7 @@ void transport(Work& work) {
   for (std::size_t n = 0; n < 3; ++n) {
     const std::size_t axis = work.step % 2 == 0 ? n : 2 - n;
     findFluxes(region, axis);
-    if (region.colour[0]) moveColours(region, axis);
+    moveCarried(region, axis);
     moveMatter(region, axis);
   }
   region.touchRows();

@@ -35,6 +35,7 @@ Json describe(const std::string& path, const Document& document) {
   surface.rebuild(clay);
   const SurfaceStatistics shape = statistics(surface, clay);
   const FieldStatistics matter = statistics(clay);
+  const clay::Stiffness& stiffness = document.parts.stiffness;
   const MeshReport mesh = checkMesh(weld(surface, clay.scale));
   return {{"corners", matter.corners},
           {"bricks", matter.nodes},
@@ -54,6 +55,7 @@ Json describe(const std::string& path, const Document& document) {
           {"bytes_file", std::filesystem::file_size(path)},
           {"history_steps", historySteps(path)},
           {"supports", document.parts.supports.size()},
+          {"stiffness_corners", stiffness.any() ? statistics(*stiffness.painted).corners : 0},
           {"bytes_thumbnail", document.parts.thumbnail.size()}};
 }
 

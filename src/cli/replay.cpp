@@ -73,12 +73,14 @@ std::vector<OperationReport> replayToFile(const Arguments& arguments, const Reco
   options.solid = decodeSolid(document.parts.solid, arguments.from);
   options.shelf = document.parts.shelf;
   options.supports = document.parts.supports;
+  options.stiffness = document.parts.stiffness;
   options.settings = settingsOf(document.parts, arguments.from);
   ReplayResult result = replay(recording, document.field, options, progress);
   document.field = std::move(result.field);
   document.parts.solid = encodeSolid(result.solid);
   document.parts.shelf = std::move(result.shelf);
   document.parts.supports = std::move(result.supports);
+  document.parts.stiffness = std::move(result.stiffness);
   keepSettings(result.settings, document.parts);
   document.parts.thumbnail = thumbnailOf(document.field);
   saveScene(arguments.out, document, progress);

@@ -71,7 +71,8 @@ std::vector<PatchStore::Vertex> PatchStore::packed(const PatchVertices& patch, g
         {signed16(normal.x), signed16(normal.y), signed16(normal.z), signed16(light.cavity)},
         {colour.r, colour.g, colour.b,
          std::uint8_t(255 - (patch.hold.empty() ? 0 : patch.hold[n]))},
-        {unsigned8(bent.x), unsigned8(bent.y), unsigned8(bent.z), unsigned8(light.open)}};
+        {unsigned8(bent.x), unsigned8(bent.y), unsigned8(bent.z), unsigned8(light.open)},
+        {patch.stiffness.empty() ? std::int8_t{0} : patch.stiffness[n], 0, 0, 0}};
   }
   return packed;
 }
@@ -194,6 +195,7 @@ void PatchStore::Chunk::describeVertices() {
   attribute(1, 4, GL_SHORT, offsetof(Vertex, normalCavity), stride);
   attribute(2, 4, GL_UNSIGNED_BYTE, offsetof(Vertex, colour), stride);
   attribute(3, 4, GL_UNSIGNED_BYTE, offsetof(Vertex, bentOpen), stride);
+  attribute(4, 4, GL_BYTE, offsetof(Vertex, stiffness), stride);
   glBindVertexArray(0);
 }
 

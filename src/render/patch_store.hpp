@@ -50,6 +50,7 @@ class PatchStore {
     std::int16_t normalCavity[4];
     std::uint8_t colour[4];
     std::uint8_t bentOpen[4];
+    std::int8_t stiffness[4];  // the first counts
   };
   struct Slot {
     std::size_t vertex, vertexCount, index, indexCount;

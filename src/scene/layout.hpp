@@ -35,8 +35,15 @@ constexpr std::string_view nameOf(Table table) {
 }
 
 /// Rows of table parts.
-enum class Part : std::int64_t { head = 1, view = 2, thumbnail = 3, solid = 4, supports = 5 };
-inline constexpr std::int64_t kLastPart = 5;
+enum class Part : std::int64_t {
+  head = 1,
+  view = 2,
+  thumbnail = 3,
+  solid = 4,
+  supports = 5,
+  stiffness = 6
+};
+inline constexpr std::int64_t kLastPart = 6;
 
 /// What stands in column hash: over table, id and content, so that exchanged rows show.
 inline std::int64_t rowHash(Table table, std::int64_t id, std::span<const std::byte> content) {

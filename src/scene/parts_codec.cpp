@@ -292,6 +292,13 @@ std::vector<clay::Support> decodeSupports(std::span<const std::byte> bytes,
   return supports;
 }
 
+clay::Stiffness decodeStiffness(std::span<const std::byte> bytes, const std::string& name) {
+  const clay::Stiffness stiffness = clay::stiffnessOf(decodeClay(bytes, name));
+  require(stiffness.any(), name, "no painted stiffness");
+  clay::requireValid(stiffness, name);
+  return stiffness;
+}
+
 Bytes checkedThumbnail(std::span<const std::byte> bytes, const std::string& name) {
   constexpr unsigned char kSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   const auto signature = std::as_bytes(std::span(kSignature));

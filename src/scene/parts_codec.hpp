@@ -28,6 +28,9 @@ Bytes encodeSupports(const std::vector<clay::Support>& supports);
 std::vector<clay::Support> decodeSupports(std::span<const std::byte> bytes,
                                           const std::string& name);
 
+/// Of what encodeClay made of painted stiffness, some at least.
+clay::Stiffness decodeStiffness(std::span<const std::byte> bytes, const std::string& name);
+
 /// Empty, or bytes that begin as a PNG does and are no more than 16 MiB.
 Bytes checkedThumbnail(std::span<const std::byte> bytes, const std::string& name);
 

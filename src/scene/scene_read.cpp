@@ -156,9 +156,12 @@ void readParts(const Database& database, const std::vector<Row>& rows, Document&
       document.parts.supports = decodeSupports(row.content, name);
       if (document.parts.supports.empty()) throw Error(name + ": no supports found");
     }
+    if (row.id == static_cast<std::int64_t>(Part::stiffness)) {
+      document.parts.stiffness = decodeStiffness(row.content, name);
+    }
   }
   if (rows.size() < 3) {
-    throw Error(database.name() + ": " + std::to_string(rows.size()) + " parts, 3 to 5 expected");
+    throw Error(database.name() + ": " + std::to_string(rows.size()) + " parts, 3 to 6 expected");
   }
 }
 

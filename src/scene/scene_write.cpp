@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bozzetto/base/parallel.hpp"
+#include "bozzetto/scene/clay_bytes.hpp"
 #include "bozzetto/solid/solid_codec.hpp"
 #include "scene/layout.hpp"
 #include "scene/page_check.hpp"
@@ -53,6 +54,14 @@ class RowWriter {
   Statement put_, erase_;
 };
 
+// Parts that are empty have no row.
+std::size_t putAny(RowWriter& rows, Part part, const Bytes& content) {
+  const auto row = static_cast<std::int64_t>(part);
+  if (!content.empty()) return rows.put(row, content);
+  rows.erase(row);
+  return 0;
+}
+
 // Decoding is the proof that what we write can be read.
 std::size_t writeParts(Database& database, const Document& document) {
   const SceneParts& parts = document.parts;
@@ -67,18 +76,16 @@ std::size_t writeParts(Database& database, const Document& document) {
   bytes += rows.put(static_cast<std::int64_t>(Part::thumbnail),
                     checkedThumbnail(parts.thumbnail, name + ": cannot save thumbnail"));
   decodeSolid(parts.solid, name + ": cannot save solid");
-  if (parts.solid.empty()) {
-    rows.erase(static_cast<std::int64_t>(Part::solid));
-  } else {
-    bytes += rows.put(static_cast<std::int64_t>(Part::solid), parts.solid);
-  }
+  bytes += putAny(rows, Part::solid, parts.solid);
   const Bytes supports = encodeSupports(parts.supports);
   decodeSupports(supports, name + ": cannot save supports");
-  if (parts.supports.empty()) {
-    rows.erase(static_cast<std::int64_t>(Part::supports));
-  } else {
-    bytes += rows.put(static_cast<std::int64_t>(Part::supports), supports);
+  bytes += putAny(rows, Part::supports, parts.supports.empty() ? Bytes() : supports);
+  Bytes stiffness;
+  if (parts.stiffness.any()) {
+    stiffness = encodeClay(*parts.stiffness.painted);
+    decodeStiffness(stiffness, name + ": cannot save stiffness");
   }
+  bytes += putAny(rows, Part::stiffness, stiffness);
   database.run("DELETE FROM shelf");
   RowWriter shelf(database, Table::shelf);
   for (std::size_t n = 0; n < parts.shelf.size(); ++n) {

@@ -1,6 +1,7 @@
 // What makes the dabs of a stroke, brush or clay; a live stroke leads it.
 #pragma once
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "bozzetto/sculptor/workbench.hpp"
@@ -18,7 +19,13 @@ class DabMaker {
   virtual DabReport dab(std::int64_t n) = 0;
   /// After the last dab: whatever is not in the edit yet goes there; returns where.
   virtual std::vector<ChangedRun> finish() = 0;
+  /// Painted stiffness as it is after the last dab, where the maker changes it. Not while dabs go
+  /// on unless somebody shows it: O(blocks painted).
+  virtual std::optional<clay::Stiffness> stiffness() { return std::nullopt; }
 };
+
+/// Of actions that move clay.
+clay::Role clayRoleOf(ActionKind kind);
 
 /// The one for the action in the hand.
 template <int Side>

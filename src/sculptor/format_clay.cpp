@@ -167,11 +167,11 @@ Json writeHold(const HoldOperation& hold) {
 }
 
 ReleaseOperation readRelease(JsonObject& object) {
-  return {object.flag("hold", true), object.flag("supports", true)};
+  return {object.flag("hold", true), object.flag("supports", true), object.flag("stiffness", true)};
 }
 
 Json writeRelease(const ReleaseOperation& release) {
-  return {{"hold", release.hold}, {"supports", release.supports}};
+  return {{"hold", release.hold}, {"supports", release.supports}, {"stiffness", release.stiffness}};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ LiveStroke<Side>::LiveStroke(Workbench<Side>& bench, Stroke stroke)
     : bench_(&bench),
       stroke_(std::move(stroke)),
       edit_(bench.tree()),
+      stiffness_(bench.clay.stiffness),
       maker_(makeDabMaker<Side>(bench, edit_, stroke_)) {
   report_.op = "stroke";
   report_.massBefore = bench.mass();
@@ -20,6 +21,7 @@ template <int Side>
 LiveStroke<Side>::~LiveStroke() {
   if (finished_) return;
   edit_.rollback();
+  bench_->clay.stiffness = stiffness_;
   bench_->showAll();
 }
 
@@ -50,6 +52,12 @@ void LiveStroke<Side>::makeDab() {
   }
   addCounts(dab, bench_->field().scale.spacing, report_);
   bench_->refresh(sortedOnce(std::move(dab.changed)), report_);
+  if (bench_->shows()) takeStiffness();
+}
+
+template <int Side>
+void LiveStroke<Side>::takeStiffness() {
+  if (auto stiffness = maker_->stiffness()) bench_->clay.stiffness = std::move(*stiffness);
 }
 
 template <int Side>
@@ -61,6 +69,7 @@ OperationReport LiveStroke<Side>::finish() {
     changed = maker_->finish();
   }
   if (!changed.empty()) bench_->refresh(sortedOnce(std::move(changed)), report_);
+  takeStiffness();
   bench_->keep(edit_, report_);
   finished_ = true;
   report_.massAfter = bench_->mass();

@@ -68,20 +68,25 @@ std::vector<OperationReport> replay(const Recording& recording, Sculptor& sculpt
 ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOptions& options,
                     Progress& progress) {
   Clay start = from;
+  clay::Stiffness stiffness = options.stiffness;
   Recording recording = recorded;
   if (options.spacing) {
     recording = rescaled(std::move(recording), *options.spacing / recordedSpacing(recorded, from));
     start = resample(from, *options.spacing, {}, progress);
+    if (stiffness.any())
+      stiffness = clay::stiffnessOf(resample(*stiffness.painted, *options.spacing, {}, progress));
   }
   Sculptor sculptor(std::move(start), options.upkeep);
   sculptor.place(options.solid);
   sculptor.place(options.supports);
+  sculptor.place(std::move(stiffness));
   sculptor.place(options.settings);
   sculptor.tools().shelf = options.shelf;
   sculptor.tools().depth = options.depth;
   auto reports = replay(recording, sculptor, progress);
-  return {sculptor.field(), sculptor.solid(), sculptor.tools().shelf, sculptor.clay().supports,
-          sculptor.clay().settings, std::move(reports)};
+  return {sculptor.field(),         sculptor.solid(),          sculptor.tools().shelf,
+          sculptor.clay().supports, sculptor.clay().stiffness, sculptor.clay().settings,
+          std::move(reports)};
 }
 
 OperationReport totalOf(const std::vector<OperationReport>& reports) {

@@ -97,6 +97,7 @@ void run(const HoldOperation& operation, Workbench<Side>& bench, const Telling& 
 template <int Side>
 void run(const ReleaseOperation& operation, Workbench<Side>& bench, const Telling& telling) {
   if (operation.supports) bench.clay.supports.clear();
+  if (operation.stiffness) bench.clay.stiffness = {};
   Edit<CornerBlock<Side>> edit(bench.tree());
   if (operation.hold) {
     const Timer timer(telling.report.msField);

@@ -90,6 +90,9 @@ void run(const ResampleOperation& operation, Workbench<Side>& bench, const Telli
     const Clay clay = resample(before, operation.spacing, {}, telling.progress);
     replaceAll<Side>(edit, Field<Side>(bench.field()).tree, withSide<Side>(clay).tree);
     scale = clay.scale;
+    if (bench.clay.stiffness.any())
+      bench.clay.stiffness = clay::stiffnessOf(
+          resample(*bench.clay.stiffness.painted, operation.spacing, {}, telling.progress));
   }
   bench.keep(edit, scale, telling.report);
 }

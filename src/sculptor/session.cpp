@@ -112,6 +112,7 @@ Session::~Session() = default;
 void Session::give(const SceneParts& given) {
   sculptor_.tools().shelf = given.shelf;
   sculptor_.place(given.supports);
+  sculptor_.place(given.stiffness);
   sculptor_.place(settingsOf(given, path_.string()));
 }
 
@@ -119,6 +120,7 @@ SceneParts Session::partsNow() const {
   SceneParts now = parts;
   now.shelf = sculptor_.tools().shelf;
   now.supports = sculptor_.clay().supports;
+  now.stiffness = sculptor_.clay().stiffness;
   keepSettings(sculptor_.clay().settings, now);
   return now;
 }

@@ -52,20 +52,21 @@ void Workbench<Side>::keep(Edit<Block>& edit, const FieldScale& scale, Operation
   if (!std::exchange(followed_, false)) show(*delta, report);
   Bytes picture = takePicture ? takePicture() : Bytes();
   const Timer timer(report.msHistory);
-  rememberSupports();
+  rememberSetup();
   std::string label = report.op;
   if (label == "stroke") {
     label += hand.recall ? " recall" : " " + std::string(toText(hand.action.kind));
   }
   StepNote note{std::move(label), before, scale};
   history_.push(std::move(delta), std::move(note), nextSolid_, std::move(picture));
+  stiffness_ = clay.stiffness;
 }
 
 // Those of the state we are about to leave.
 template <int Side>
-void Workbench<Side>::rememberSupports() {
-  std::erase_if(supports_, [&](const auto& each) { return !history_.tree().has(each.first); });
-  supports_[history_.place()] = clay.supports;
+void Workbench<Side>::rememberSetup() {
+  std::erase_if(setups_, [&](const auto& each) { return !history_.tree().has(each.first); });
+  setups_[history_.place()] = {clay.supports, stiffness_};
 }
 
 template <int Side>
@@ -137,7 +138,7 @@ void Workbench<Side>::note(std::span<const Run> changed, const RefreshReport& re
 template <int Side>
 std::string Workbench<Side>::goTo(StepNumber state, OperationReport& report) {
   typename History<Side>::Journey journey;
-  rememberSupports();
+  rememberSetup();
   {
     const Timer timer(report.msHistory);
     journey = history_.goTo(state, field_.tree, field_.scale);
@@ -145,8 +146,11 @@ std::string Workbench<Side>::goTo(StepNumber state, OperationReport& report) {
   }
   field_.scale = journey.scale;
   nextSolid_ = history_.solid();
-  const auto supports = supports_.find(history_.place());
-  if (supports != supports_.end()) clay.supports = supports->second;
+  const auto setup = setups_.find(history_.place());
+  if (setup != setups_.end()) {
+    clay.supports = setup->second.supports;
+    placeStiffness(setup->second.stiffness);
+  }
   report.changedBlocks += journey.delta->changes.size();
   show(*journey.delta, report);
   return journey.trouble;

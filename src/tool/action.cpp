@@ -10,9 +10,9 @@
 namespace bozzetto {
 namespace {
 
-constexpr std::array<std::string_view, 11> kNames{"add",        "remove", "erase", "paint",
-                                                  "paint_soft", "smooth", "stamp", "hold",
-                                                  "push",       "grip",   "swell"};
+constexpr std::array<std::string_view, 13> kNames{
+    "add",  "remove",  "erase",  "paint", "paint_soft", "smooth", "stamp",
+    "hold", "stiffen", "soften", "push",  "grip",       "swell"};
 
 BOZZETTO_KERNEL bool otherColourKernel(const BlockView& block, Attributes tool) {
   Attributes differs = 0;
@@ -68,6 +68,10 @@ std::unique_ptr<Action> makeAction(const ActionOptions& options, double iso) {
       return makeStamp(options.stamp.profile, iso);
     case ActionKind::hold:
       return makeHold();
+    case ActionKind::stiffen:
+      return makeStiffen();
+    case ActionKind::soften:
+      return makeSoften();
     default:
       throw Error("action: " + std::string(toText(options.kind)) +
                   " found, one that works corner by corner expected");

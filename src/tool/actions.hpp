@@ -14,5 +14,7 @@ std::unique_ptr<Action> makeStamp(StampProfile profile, double iso);
 /// Add, paint or paintSoft.
 std::unique_ptr<Action> makeOwnColours(ActionKind kind);
 std::unique_ptr<Action> makeHold();
+std::unique_ptr<Action> makeStiffen();
+std::unique_ptr<Action> makeSoften();
 
 }  // namespace bozzetto

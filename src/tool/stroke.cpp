@@ -31,14 +31,34 @@ double smallestFactor(const ToolShape& tool) {
   return std::min(1.0, minification(*tool.sculpture, tool.radii) / kMostMinified);
 }
 
+// The clay as it is before the stroke, where dabs ask for it.
+template <int Side>
+Field<Side> facedBy(const Stroke& stroke, const Edit<CornerBlock<Side>>& edit,
+                    const FieldScale& scale) {
+  Field<Side> field{{}, scale};
+  if (stroke.placement.toNormal) field.tree = edit.tree();
+  return field;
+}
+
 }  // namespace
 
 template <int Side>
 StrokeRunner<Side>::StrokeRunner(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
                                  const ToolShape& tool, const ActionOptions& action,
                                  const Stroke& stroke)
-    : edit_(&edit), scale_(scale), walker_(edit), options_(action), pressure_(stroke.pressure) {
+    : StrokeRunner(edit, facedBy(stroke, edit, scale), tool, action, stroke) {}
+
+template <int Side>
+StrokeRunner<Side>::StrokeRunner(Edit<CornerBlock<Side>>& edit, const Field<Side>& faced,
+                                 const ToolShape& tool, const ActionOptions& action,
+                                 const Stroke& stroke)
+    : edit_(&edit),
+      scale_(faced.scale),
+      walker_(edit),
+      options_(action),
+      pressure_(stroke.pressure) {
   requireValid(stroke);
+  const FieldScale& scale = scale_;
   const FittedTool fitted = fitTool(tool, scale.spacing);
   tool_ = fitted.shape;
   tool_.radii /= scale.spacing;
@@ -50,9 +70,7 @@ StrokeRunner<Side>::StrokeRunner(Edit<CornerBlock<Side>>& edit, const FieldScale
   origin_ = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
   images_ = imagesOf(stroke.symmetry);
   centre_ = relativeTo(origin_, stroke.symmetry.centre, scale.spacing);
-  Field<Side> field{{}, scale};
-  if (stroke.placement.toNormal) field.tree = edit.tree();
-  placer_ = std::make_unique<Placer<Side>>(stroke.placement, tool_, field, origin_);
+  placer_ = std::make_unique<Placer<Side>>(stroke.placement, tool_, faced, origin_);
   path_.emplace(relative(stroke.points), stroke.spacing * smallest(tool_.radii));
   count_ = countOf(*path_);
 }

@@ -160,7 +160,7 @@ TEST(Viewport, UploadedBytesAreThoseOfThePatch) {
   window.draw();
   const UnpackedPatch& patch = theHead().patches.front();
   window.renderer.uploadPatch(patch.view());
-  const auto bytes = std::int64_t(patch.positions.size() * 28 + patch.indices.size() * 4);
+  const auto bytes = std::int64_t(patch.positions.size() * 32 + patch.indices.size() * 4);
   const FrameReport report = window.draw();
   EXPECT_GE(report.uploadedBytes, bytes);
   EXPECT_LE(report.uploadedBytes, bytes + std::int64_t(patch.indices.size() * 4));

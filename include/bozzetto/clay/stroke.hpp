@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "bozzetto/clay/settings.hpp"
+#include "bozzetto/clay/stiffness.hpp"
 #include "bozzetto/tool/sculpture.hpp"
 #include "bozzetto/tool/stroke.hpp"
 
@@ -25,6 +26,7 @@ struct Support {
 struct Setup {
   Settings settings;
   std::vector<Support> supports;
+  Stiffness stiffness{};  ///< painted; it goes where the clay goes
 };
 
 /// Throws Error for radii and rotations that are none, and freeform ones without a sculpture.
@@ -66,6 +68,9 @@ class ClayStroke {
   /// in order. Call it when the clay is to be seen, and at the end.
   std::vector<KeyRun> store();
 
+  /// Painted stiffness as of the last store(): what was painted has moved with the clay.
+  Stiffness stiffness();
+
  private:
   struct State;
   std::unique_ptr<State> state_;
@@ -75,14 +80,13 @@ extern template class ClayStroke<1>;
 extern template class ClayStroke<8>;
 
 /// Runs the layers `steps` times without a tool over all the clay; returns the keys of changed
-/// blocks. Throws Error for more clay than the working set can hold.
+/// blocks, and takes the setup's painted stiffness along. Throws Error for more clay than the
+/// working set can hold.
 template <int Side>
-std::vector<KeyRun> relax(Edit<CornerBlock<Side>>& edit, const FieldScale& scale,
-                          const Setup& setup, int steps);
+std::vector<KeyRun> relax(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, Setup& setup,
+                          int steps);
 
-extern template std::vector<KeyRun> relax(Edit<CornerBlock<1>>&, const FieldScale&, const Setup&,
-                                          int);
-extern template std::vector<KeyRun> relax(Edit<CornerBlock<8>>&, const FieldScale&, const Setup&,
-                                          int);
+extern template std::vector<KeyRun> relax(Edit<CornerBlock<1>>&, const FieldScale&, Setup&, int);
+extern template std::vector<KeyRun> relax(Edit<CornerBlock<8>>&, const FieldScale&, Setup&, int);
 
 }  // namespace bozzetto::clay

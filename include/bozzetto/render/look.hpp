@@ -49,7 +49,7 @@ struct Look {
   bool edges = false;      ///< triangles' edges over any mode
   bool cellLines = false;  ///< lines where cells meet, for pictures of the data structure
   bool floor = true;       ///< pool of light, contact and shadow under the clay
-  float holdTint = 1;      ///< how much held clay is tinted
+  float holdTint = 1;      ///< how much held clay, and painted stiffness, are tinted
   Detail detail = Detail::full;
   double dither = 0;  ///< 1 hides the background's bands on screen; 0 keeps files small
   Studio studio;

@@ -30,6 +30,7 @@ struct PatchVertices {
   std::span<const std::uint16_t> indices;
   std::span<const VertexLight> light;
   std::span<const std::uint8_t> hold = {};
+  std::span<const std::int8_t> stiffness = {};  ///< painted: −127 soft … 127 stiff; or empty
   Fineness fineness = Fineness::fine;
 };
 

@@ -16,7 +16,8 @@ struct UnpackedPatch {
   std::vector<Colour> colours;
   std::vector<std::uint16_t> indices;
   std::vector<VertexLight> light;
-  std::vector<std::uint8_t> hold;  ///< empty where nothing is held
+  std::vector<std::uint8_t> hold;        ///< empty where nothing is held
+  std::vector<std::int8_t> stiffness{};  ///< −127 … 127; starts empty: nothing is painted
   Fineness fineness = Fineness::fine;
 
   /// A patch that is gone.
@@ -27,7 +28,7 @@ struct UnpackedPatch {
                 std::span<const std::uint16_t> triangles);
 
   PatchVertices view() const {
-    return {origin, positions, normals, colours, indices, light, hold, fineness};
+    return {origin, positions, normals, colours, indices, light, hold, stiffness, fineness};
   }
   /// Of the vertices, in cells.
   CellBounds bounds() const;

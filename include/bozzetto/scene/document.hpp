@@ -34,6 +34,7 @@ struct SceneParts {
   Bytes thumbnail;  ///< a PNG, or empty
   Bytes solid;      ///< the solid being worked on, as encodeSolid gives it, or empty
   std::vector<clay::Support> supports;  ///< what pushed and gripped clay meets
+  clay::Stiffness stiffness;            ///< painted
 
   friend bool operator==(const SceneParts&, const SceneParts&) = default;
 };

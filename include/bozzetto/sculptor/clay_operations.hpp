@@ -40,9 +40,9 @@ struct HoldOperation {
   double amount = 1;
 };
 
-/// Frees what is held, and takes supports away.
+/// Frees what is held, and takes supports and painted stiffness away.
 struct ReleaseOperation {
-  bool hold = true, supports = true;
+  bool hold = true, supports = true, stiffness = true;
 };
 
 }  // namespace bozzetto

@@ -37,10 +37,12 @@ class LiveStroke {
 
  private:
   void makeDab();
+  void takeStiffness();
 
   Workbench<Side>* bench_;
   Stroke stroke_;
   Edit<CornerBlock<Side>> edit_;
+  clay::Stiffness stiffness_;  // painted before the stroke
   std::unique_ptr<DabMaker<Side>> maker_;
   OperationReport report_;
   bool finished_ = false;

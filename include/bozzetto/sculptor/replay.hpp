@@ -17,6 +17,7 @@ struct ReplayOptions {
   SolidRef solid;                         ///< of the document it starts on
   std::vector<ShelfItem> shelf{};         ///< of the document
   std::vector<clay::Support> supports{};  ///< of the document
+  clay::Stiffness stiffness{};            ///< of the document
   clay::Settings settings{};              ///< of the document
   int depth = 0;                          ///< of recordings that make tools for recordings
 };
@@ -26,6 +27,7 @@ struct ReplayResult {
   SolidRef solid;                        ///< null when there is none
   std::vector<ShelfItem> shelf;          ///< of the document
   std::vector<clay::Support> supports;   ///< of the document
+  clay::Stiffness stiffness;             ///< of the document
   clay::Settings settings;               ///< of the document
   std::vector<OperationReport> reports;  ///< one an operation
 };

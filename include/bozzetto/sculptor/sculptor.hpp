@@ -33,6 +33,8 @@ class BasicSculptor {
   void place(SolidRef solid) { bench_.placeSolid(std::move(solid)); }
   /// The supports of a document just opened: no step of history.
   void place(std::vector<clay::Support> supports) { bench_.clay.supports = std::move(supports); }
+  /// The painted stiffness of a document just opened: no step of history.
+  void place(clay::Stiffness stiffness) { bench_.placeStiffness(std::move(stiffness)); }
   /// How the clay of a document just opened behaves: no step of history.
   void place(const clay::Settings& settings) { bench_.clay.settings = settings; }
   /// The solid being worked on; null when there is none.

@@ -70,9 +70,13 @@ class Workbench {
 
   Hand hand;
   ToolLibrary tools;  ///< where names of tools lead; no step of history
-  /// What strokes that move clay meet; no step of history. Supports belong to the state they were
-  /// set in: who goes back there finds them again.
+  /// What strokes that move clay meet. Supports belong to the state they were set in: who goes back
+  /// there finds them again. Painted stiffness belongs to the step that changes it.
   clay::Setup clay;
+  /// The painted stiffness of a document just opened: no step of history.
+  void placeStiffness(clay::Stiffness stiffness) {
+    clay.stiffness = stiffness_ = std::move(stiffness);
+  }
 
   /// The clay, for an Edit.
   Tree& tree() { return field_.tree; }
@@ -104,17 +108,23 @@ class Workbench {
   template <class Run>
   void note(std::span<const Run> changed, const RefreshReport& report);
   void account(const Delta<Block>& delta);
-  void rememberSupports();
+  void rememberSetup();
 
   Field<Side> field_;
   Surface<Side> surface_;
   SurfaceChanges changes_;
   History<Side> history_;
   SolidRef nextSolid_;
-  std::map<StepNumber, std::vector<clay::Support>> supports_;  // of states since opening
+  // Of states since opening.
+  struct Kept {
+    std::vector<clay::Support> supports;
+    clay::Stiffness stiffness;
+  };
+  std::map<StepNumber, Kept> setups_;
+  clay::Stiffness stiffness_;  // of the present state, whatever a stroke paints just now
   SurfaceUpkeep upkeep_;
   std::optional<std::vector<KeyRun>> waiting_;  // for the surface, while it is let wait
-  bool followed_ = false;  // the surface has followed the present edit
+  bool followed_ = false;                       // the surface has followed the present edit
   MassSum massUnits_ = 0;
 };
 

@@ -19,6 +19,7 @@ namespace bozzetto {
 ///   smooth      v ← v + s·p·(lowpass(v) − v), colour likewise weighted by density
 ///   stamp       v ← clamp(v + s·def(d)); the bulge rises from clay only (stamp.hpp)
 ///   hold        hold grows by s·p of what is left to 255; the clay stays
+///   stiffen, soften   not on the clay but on what painted stiffness is kept in: o ← o ± s·p
 ///   push, grip, swell   move clay: strokes of these are made by clay/stroke.hpp
 /// The hard ones, erase and paint, ignore s and act where hold < 128.
 enum class ActionKind {
@@ -30,16 +31,22 @@ enum class ActionKind {
   smooth,
   stamp,
   hold,
+  stiffen,
+  soften,
   push,
   grip,
   swell
 };
 
-/// "add", "remove", "erase", "paint", "paint_soft", "smooth", "stamp", "hold", "push", "grip",
-/// "swell".
+/// "add", "remove", "erase", "paint", "paint_soft", "smooth", "stamp", "hold", "stiffen",
+/// "soften", "push", "grip", "swell".
 std::string_view toText(ActionKind kind);
 std::optional<ActionKind> actionNamed(std::string_view name);
 
+/// The clay stays as it is, how stiff it is changes.
+constexpr bool stiffens(ActionKind kind) {
+  return kind == ActionKind::stiffen || kind == ActionKind::soften;
+}
 /// push, grip, swell: no Action does these.
 constexpr bool movesClay(ActionKind kind) { return kind >= ActionKind::push; }
 
@@ -77,7 +84,7 @@ struct Lowpass {
   const float* value;
   const float* premultiplied[3];  ///< of value · colour channel; null where one colour is all
   Attributes onlyColour;          ///< that colour
-  const float* climb = nullptr;  ///< how steeply old values climb to neighbours, a cell
+  const float* climb = nullptr;   ///< how steeply old values climb to neighbours, a cell
 };
 
 /// What became of a block. Where dirty is 0 the new state is the old one, bit for bit.

@@ -79,6 +79,9 @@ class StrokeRunner {
   /// for more than 10 million dabs and for boxes beyond the workspace.
   StrokeRunner(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, const ToolShape& tool,
                const ActionOptions& action, const Stroke& stroke);
+  /// The same where dabs face another clay than the one they change, `faced`.
+  StrokeRunner(Edit<CornerBlock<Side>>& edit, const Field<Side>& faced, const ToolShape& tool,
+               const ActionOptions& action, const Stroke& stroke);
   ~StrokeRunner();
 
   /// Goes on through these points, while the stroke is drawn: the dabs are those of a stroke that

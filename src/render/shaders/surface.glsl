@@ -4,10 +4,12 @@ in vec3 viewPosition;
 in vec3 viewNormal;
 in vec3 viewBent;
 in vec4 vertexColour;
+in float stiff;           // painted: -1 soft, 1 stiff
 in vec2 openness;
 out vec4 pixel;
 
 const vec3 kHeld = vec3(.035, .115, .145);  // linear; held clay is tinted towards it
+const vec3 kStiff = vec3(.08, .10, .42), kSoft = vec3(.75, .42, .05);  // the same of painted stiffness
 
 struct Clay {
   vec3 normal, view, bent, albedo;
@@ -48,6 +50,7 @@ Clay readClay() {
   clay.bent = viewBent;
   clay.albedo = linearFromSrgb(vertexColour.rgb);
   clay.albedo = mix(clay.albedo, kHeld, .8 * options.z * (1. - vertexColour.a));
+  clay.albedo = mix(clay.albedo, stiff > 0. ? kStiff : kSoft, .7 * options.z * abs(stiff));
   if (options.w > 0.) clay.albedo *= 1. - .7 * options.w * betweenCells();
   clay.open = mix(1., pow(openness.x, 1.25), toning.w);
   clay.bounced = multiBounce(clay.open, clay.albedo);

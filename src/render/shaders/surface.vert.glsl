@@ -4,6 +4,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normalCavity;
 layout(location = 2) in vec4 colour;
 layout(location = 3) in vec4 bentOcclusion;
+layout(location = 4) in vec4 stiffness;
 uniform vec3 chunkOrigin;
 
 invariant gl_Position;
@@ -12,6 +13,7 @@ out vec3 viewPosition;
 out vec3 viewNormal;
 out vec3 viewBent;
 out vec4 vertexColour;
+out float stiff;
 out vec2 openness;  // unoccluded part, cavity
 
 void main() {
@@ -21,5 +23,6 @@ void main() {
   viewNormal = normalCavity.xyz * mat3(worldFromView);
   viewBent = (bentOcclusion.xyz * 2. - 1.) * mat3(worldFromView);
   vertexColour = colour;
+  stiff = stiffness.x;
   openness = vec2(bentOcclusion.w, normalCavity.w);
 }

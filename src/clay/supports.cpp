@@ -1,0 +1,54 @@
+#include "clay/supports.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bozzetto/tool/relative.hpp"
+
+namespace bozzetto::clay {
+
+PlacedTool place(std::unique_ptr<Solid> solid, const DabPose& pose, Role role) {
+  PlacedTool tool;
+  tool.solid = std::move(solid);
+  tool.box = grown(dabBox(pose), 1);
+  tool.role = role;
+  tool.radius = std::max({pose.radii.x, pose.radii.y, pose.radii.z});
+  tool.smallest = std::min({pose.radii.x, pose.radii.y, pose.radii.z});
+  return tool;
+}
+
+std::vector<PlacedTool> placeSupports(const std::vector<Support>& supports, double spacing) {
+  std::vector<PlacedTool> placed;
+  for (const Support& support : supports) {
+    const Key origin = cellOf(support.centre, spacing, "support centre");
+    const DabPose pose{origin, relativeTo(origin, support.centre, spacing),
+                       glm::mat3_cast(normalisedRotation(support.rotation)),
+                       support.radii / spacing};
+    auto solid = support.shape == Shape::freeform ? makeSolid(support.sculpture, pose)
+                                                  : makeSolid(support.shape, pose);
+    placed.push_back(place(std::move(solid), pose, Role::support));
+  }
+  return placed;
+}
+
+bool operator==(const Support& a, const Support& b) {
+  if (a.shape != b.shape || a.centre != b.centre || a.radii != b.radii || a.rotation != b.rotation)
+    return false;
+  if (a.shape != Shape::freeform || a.sculpture == b.sculpture) return true;
+  if (!a.sculpture || !b.sculpture) return false;
+  return a.sculpture->scale() == b.sculpture->scale() &&
+         fieldHash(a.sculpture->clay()) == fieldHash(b.sculpture->clay());
+}
+
+void requireValid(const Support& support) {
+  normalisedRotation(support.rotation);
+  if (support.shape == Shape::freeform && !support.sculpture)
+    throw Error("support: freeform without a sculpture found, one expected");
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(support.radii[axis] > 0) || !std::isfinite(support.radii[axis])) {
+      throw Error("support radius: " + std::to_string(support.radii[axis]) +
+                  " found, a number above 0 expected");
+    }
+}
+
+}  // namespace bozzetto::clay
