@@ -78,6 +78,8 @@ ActionOperation readAction(JsonObject& object) {
                                            {"smooth", smooth},
                                            {"stamp", stamp},
                                            {"hold", hold},
+                                           {"stiffen", stiffen},
+                                           {"soften", soften},
                                            {"push", push},
                                            {"grip", grip},
                                            {"swell", swell}},

@@ -12,7 +12,7 @@ namespace bozzetto {
 namespace {
 
 constexpr const char* kBall = R"({"op":"fill","shape":"ellipsoid","radii":[9,9,9]})";
-constexpr const char* kTool = R"({"op":"tool","shape":"ellipsoid","profile":"box","radii":[4,4,4]})";
+constexpr const char* kTool = R"({"op":"tool","profile":"box","radii":[4,4,4]})";
 constexpr const char* kDab = R"({"op":"stroke","points":[[8,0,0]]})";
 
 Operation operation(std::string_view line) { return parseOperation(std::string(line), "test"); }
@@ -84,8 +84,8 @@ TEST(PaintedStiffness, IsTheSameWithBlocksOfOne) {
   }
   EXPECT_TRUE(one.clay().stiffness.any());
   EXPECT_EQ(one.clay().stiffness, eight.clay().stiffness);
-  for (auto line : {R"({"op":"action","name":"push"})",
-                    R"({"op":"stroke","points":[[14,0,0],[9,0,0]]})"}) {
+  for (auto line :
+       {R"({"op":"action","name":"push"})", R"({"op":"stroke","points":[[14,0,0],[9,0,0]]})"}) {
     one.apply(operation(line));
     eight.apply(operation(line));
   }

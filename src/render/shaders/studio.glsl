@@ -8,7 +8,7 @@ layout(std140) uniform Studio {
   vec4 material;           // roughness, Oren-Nayar sigma, specular level, clear coat
   vec4 toning;             // exposure, redness of the terminator, cavity, occlusion
   vec4 tint;
-  vec4 options;            // flat (0 or 1), paint layer, tint of held and painted clay, lines between cells
+  vec4 options;            // flat (0 or 1), paint layer, tint of held clay, lines between cells
   vec4 counts;             // lights
   vec4 middle;             // the stage's centre
 };

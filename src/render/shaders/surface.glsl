@@ -9,7 +9,8 @@ in vec2 openness;
 out vec4 pixel;
 
 const vec3 kHeld = vec3(.035, .115, .145);  // linear; held clay is tinted towards it
-const vec3 kStiff = vec3(.08, .10, .42), kSoft = vec3(.75, .42, .05);  // the same of painted stiffness
+// The same where stiffness is painted.
+const vec3 kStiff = vec3(.08, .10, .42), kSoft = vec3(.75, .42, .05);
 
 struct Clay {
   vec3 normal, view, bent, albedo;
