@@ -156,15 +156,15 @@ void Displacement::findFollowing(Work& work) {
   });
 }
 
+// From 0 to 1, level at both ends.
+float eased(float x) { return x * x * (3 - 2 * x); }
+
 // How much of what it does not follow by itself clay is dragged along next to a grip: all of it
 // where the grip is, nothing a radius away. Without, clay tears where the grip ends.
-float dragAt(float distance, float reach) {
-  const float near = std::max(0.0f, 1 - distance / reach);
-  return near * near * (3 - 2 * near);
-}
+float dragAt(float distance, float reach) { return eased(std::max(0.0f, 1 - distance / reach)); }
 
 // δ = α·w·(rigid motion of the tool); a piece that nothing holds moves as a whole, and what a grip
-// holds moves with it.
+// holds moves with it. What is pulled stretches less and less towards both ends: no notch there.
 void Displacement::addWish(Work& work, std::size_t tool, const Cells<float>& weight) {
   Region& region = work.region;
   const Motion& motion = work.moving[tool].motion;
@@ -186,7 +186,8 @@ void Displacement::addWish(Work& work, std::size_t tool, const Cells<float>& wei
       const auto slope = static_cast<float>(motion.turn[2][static_cast<int>(axis)]);
       for (std::int32_t k = 0; k < row.count; ++k) {
         const std::size_t n = row.base + k;
-        region.wish[axis][n] += following(n) * weight[n] * (at + slope * static_cast<float>(k));
+        const float lead = grips ? eased(weight[n]) : weight[n];
+        region.wish[axis][n] += following(n) * lead * (at + slope * static_cast<float>(k));
       }
     }
   });
@@ -194,8 +195,7 @@ void Displacement::addWish(Work& work, std::size_t tool, const Cells<float>& wei
 
 void Displacement::run(Work& work) {
   Region& region = work.region;
-  bool leads = work.settings.stiffness > 0 || region.stiffened;
-  for (const PlacedTool& tool : work.moving) leads = leads || tool.role == Role::grip;
+  const bool leads = work.settings.stiffness > 0 || region.stiffened || work.grips();
   if (!leads || work.moving.empty()) return;
   findCosts(work);
   findDistances(work);

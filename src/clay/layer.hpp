@@ -28,6 +28,11 @@ struct Work {
       if (each == layer) return true;
     return false;
   }
+  bool grips() const {
+    for (const PlacedTool& tool : moving)
+      if (tool.role == Role::grip) return true;
+    return false;
+  }
 };
 
 class Layer {

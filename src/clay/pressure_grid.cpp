@@ -9,7 +9,6 @@ namespace {
 constexpr auto kClay = static_cast<std::uint8_t>(CellType::clay);
 constexpr int kSmoothings = 2, kBottomSweeps = 12;
 constexpr float kRelaxation = 1.15f, kBottomRelaxation = 1.6f;
-constexpr float kAirWeight = 1;
 constexpr float kLinkWeight = 0.5f;  // four times the area, twice the way: 2 for 4 faces
 
 struct LevelRow {
@@ -197,12 +196,12 @@ void PressureGrid::finishLinks(Level& level, float airWeight) {
   });
 }
 
-void PressureGrid::prepare(const Region& region) {
+void PressureGrid::prepare(const Region& region, float skin) {
   if (!levels_[0].pressure || region.box() != box_) resize(region);
   listRows(region);
   linkFine(region);
   for (int n = 1; n < kLevels; ++n) linkCoarse(levels_[n - 1], levels_[n]);
-  for (int n = 0; n < kLevels; ++n) finishLinks(levels_[n], kAirWeight);
+  for (int n = 0; n < kLevels; ++n) finishLinks(levels_[n], skin);
 }
 
 void PressureGrid::restrictFine(const Region& region) {

@@ -9,8 +9,9 @@ namespace bozzetto::clay {
 class PressureGrid {
  public:
   /// Reads region.type and region.mark2 (how many neighbours of a clay cell are air) in the dense
-  /// rows and builds the coarse equations. Allocates when the region is another one only.
-  void prepare(const Region& region);
+  /// rows and builds the coarse equations; faces to air count `skin`. Allocates when the region is
+  /// another one only.
+  void prepare(const Region& region, float skin = 1);
   /// Adds to region.pressure what the coarse cells know of its error. region.rhs and
   /// region.inverse are the fine equation's.
   void correct(Region& region);

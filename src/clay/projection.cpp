@@ -8,6 +8,10 @@ namespace bozzetto::clay {
 namespace {
 
 constexpr float kOverRelaxation = 1.15f;
+// How open the surface is while a grip pulls. Air that follows clay grows fingers into it, the
+// narrower the faster (Saffman & Taylor 1958), and digs in along the border of what is gripped,
+// where the pressure's gradient has no bound. Behind a skin clay gives way over 1/kSkin cells.
+constexpr float kSkin = 0.1f;
 constexpr auto kAir = static_cast<std::uint8_t>(CellType::air);
 constexpr auto kClay = static_cast<std::uint8_t>(CellType::clay);
 constexpr auto kClosed = static_cast<std::uint8_t>(CellType::closed);
@@ -169,6 +173,20 @@ void findSources(Region& region) {
   });
 }
 
+// Faces to air let through only a part of what others do.
+void closeSkin(Region& region, float skin) {
+  const auto openness = [&](std::size_t n) { return region.fade ? region.fade[n] : 1.0f; };
+  forRows(region.bandRows(), [&](const Row& row) {
+    for (std::size_t n = row.base; n < row.base + row.count; ++n) {
+      if (region.mark2[n] == 0 || region.inverse[n] <= 0) continue;
+      float air = 0;
+      for (const std::ptrdiff_t step : region.neighbours())
+        if (region.type[n + step] == kAir) air += openness(n + step) / openness(n);
+      region.inverse[n] = 1 / (1 / region.inverse[n] - (1 - skin) * air);
+    }
+  });
+}
+
 struct SweepRow {
   const float *pressure, *rhs, *inverse;
   float* next;
@@ -213,17 +231,24 @@ struct GradientRow {
   std::ptrdiff_t step;
   int count;
   float kept;  // of what the face had: 1, or 0 where nothing was wished
+  float skin;  // how open faces to air are
 };
 
-// Branches are masks: clay = 1, closed and gripped have bit 1.
+// How far a face is open. Branches are masks: clay = 1, closed and gripped have bit 1.
+BOZZETTO_KERNEL float wayThrough(const GradientRow& row, std::uint8_t own, std::uint8_t next) {
+  const int open = 1 - ((own | next) >> 1 & 1);
+  const auto clay = static_cast<float>((own | next) & open);
+  const auto both = static_cast<float>(own & next & 1);
+  return clay * (row.skin + (1 - row.skin) * both);
+}
+
 BOZZETTO_KERNEL void gradientKernel(const GradientRow& row) {
   const std::uint8_t *own = row.type, *next = row.type + row.step;
   const float *p = row.pressure, *q = row.pressure + row.step;
   float* __restrict face = row.face;
   for (int n = 0; n < row.count; ++n) {
-    const int open = 1 - ((own[n] | next[n]) >> 1 & 1);
-    const int clay = (own[n] | next[n]) & open;
-    face[n] = row.kept * face[n] - static_cast<float>(clay) * (q[n] - p[n]);
+    const float way = wayThrough(row, own[n], next[n]);
+    face[n] = row.kept * face[n] - way * (q[n] - p[n]);
   }
 }
 
@@ -235,9 +260,8 @@ BOZZETTO_KERNEL void fadedGradientKernel(const GradientRow& row, const float* m)
   const float *p = row.pressure, *q = row.pressure + row.step, *mn = m + row.step;
   float* __restrict face = row.face;
   for (int n = 0; n < row.count; ++n) {
-    const int open = 1 - ((own[n] | next[n]) >> 1 & 1);
-    const int clay = (own[n] | next[n]) & open;
-    face[n] = row.kept * face[n] - static_cast<float>(clay) * (m[n] * q[n] - mn[n] * p[n]);
+    const float way = wayThrough(row, own[n], next[n]);
+    face[n] = row.kept * face[n] - way * (m[n] * q[n] - mn[n] * p[n]);
   }
 }
 
@@ -271,7 +295,7 @@ BOZZETTO_KERNEL void knownKernel(const KnownRow& row) {
 BOZZETTO_SIMD_DISPATCH(void, knownRow, knownKernel, (const KnownRow& row), (row))
 
 // u ← u − ∇P at faces of clay; mark tells which faces are known.
-void subtractGradient(Region& region) {
+void subtractGradient(Region& region, float skin) {
   const auto& step = region.strides();
   forRows(region.rows(), [&](const Row& row) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -280,7 +304,8 @@ void subtractGradient(Region& region) {
                               &region.face[axis][row.base],
                               step[axis],
                               row.count,
-                              region.wished ? 1.0f : 0.0f};
+                              region.wished ? 1.0f : 0.0f,
+                              skin};
       if (region.fade)
         fadedGradientRow(faces, &region.fade[row.base]);
       else
@@ -397,8 +422,7 @@ BOZZETTO_SIMD_DISPATCH(void, typeRow, typeKernel, (const TypeRow& row), (row))
 
 void findTypes(Work& work) {
   Region& region = work.region;
-  bool grips = false;
-  for (const PlacedTool& tool : work.moving) grips = grips || tool.role == Role::grip;
+  const bool grips = work.grips();
   // No tool and no air in deep rows.
   forRows(region.deepRows(), [&](const Row& row) {
     for (std::size_t n = row.base; n < row.base + row.count; ++n)
@@ -431,14 +455,16 @@ void Projection::run(Work& work, const SolverOptions& options) {
     for (std::size_t axis = 0; axis < 3; ++axis) findFaces(region, axis);
   findSources(region);
   fadeSources(region);
-  grid_.prepare(region);
+  const float skin = work.grips() ? kSkin : 1.0f;
+  if (skin < 1) closeSkin(region, skin);
+  grid_.prepare(region, skin);
   for (int cycle = 0; cycle < options.cycles; ++cycle) {
     for (int n = 0; n < 2 * options.before; ++n) sweep(region, n % 2, kOverRelaxation);
     grid_.correct(region);
     for (int n = 0; n < 2 * options.after; ++n)
       sweep(region, n % 2, n < 2 * options.after - 2 ? kOverRelaxation : 1.0f);
   }
-  subtractGradient(region);
+  subtractGradient(region, skin);
   learnFaces(region);
   region.wished = false;
 }
