@@ -84,24 +84,6 @@ void Automaton::sweepOut(Work& work) {
     }
 }
 
-// Where a swelling tool is, cells may hold less (Takai §3, figure 11).
-void Automaton::paintSwelling(Work& work) {
-  Region& region = work.region;
-  forRows(region.rows(),
-          [&](const Row& row) { std::fill_n(&region.scratch[row.base], row.count, 1.0f); });
-  for (const PlacedTool& tool : work.moving) {
-    if (tool.role != Role::swell) continue;
-    forRows(region.rows(), [&](const Row& row) {
-      for (std::int32_t k = 0; k < row.count; ++k) {
-        const Key key = region.box().low + Key{row.i, row.j, row.k + k};
-        if (!tool.box.contains(key)) continue;
-        const float p = tool.swelling(key);
-        region.scratch[row.base + k] = std::min(region.scratch[row.base + k], 1 - p);
-      }
-    });
-  }
-}
-
 bool Automaton::sweepTile(Work& work, Key tile, int parity) {
   Region& region = work.region;
   const Sharing sharing{static_cast<float>(work.settings.rate), work.settings.sharing};
@@ -121,7 +103,7 @@ bool Automaton::sweepTile(Work& work, Key tile, int parity) {
     std::array<float, 8> limit, full;
     for (std::size_t c = 0; c < 8; ++c) {
       const std::size_t cell = cells[c];
-      full[c] = (1 - region.cover[cell]) * region.scratch[cell];
+      full[c] = 1 - region.cover[cell];
       const bool obstacle = region.hold[cell] == kFixed || region.cover[cell] > 0.5f;
       limit[c] = obstacle ? -1.0f : threshold * full[c];
     }
@@ -134,10 +116,7 @@ bool Automaton::sweepTile(Work& work, Key tile, int parity) {
 // are looked for again matter goes no further than a tile.
 void Automaton::findHot(Work& work) {
   listHot(work);
-  while (!tiles_.empty() && work.widen && work.widen(around(tiles_))) {
-    paintSwelling(work);
-    listHot(work);
-  }
+  while (!tiles_.empty() && work.widen && work.widen(around(tiles_))) listHot(work);
   hot_.assign(tiles_.size(), 1);
   spreadHeat(work.region);
 }
@@ -149,8 +128,7 @@ void Automaton::listHot(Work& work) {
   for (const Row& row : region.rows())
     for (std::int32_t k = 0; k < row.count; ++k) {
       const std::size_t cell = row.base + k;
-      if (region.value[cell] <= threshold * (1 - region.cover[cell]) * region.scratch[cell])
-        continue;
+      if (region.value[cell] <= threshold * (1 - region.cover[cell])) continue;
       const Key tile = Key{row.i & ~7, row.j & ~7, (row.k + k) & ~7} + region.box().low;
       if (tiles_.empty() || tiles_.back() != tile) tiles_.push_back(tile);
     }
@@ -190,7 +168,7 @@ bool Automaton::sweep(Work& work, int parity) {
 void Automaton::run(Work& work) {
   pulling_.drag(work);
   sweepOut(work);
-  paintSwelling(work);
+  swelling_.run(work);
   findHot(work);
   int quiet = 0;
   for (int n = 0; n < work.settings.sweeps && quiet < 2 && !tiles_.empty(); ++n) {

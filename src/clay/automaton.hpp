@@ -3,6 +3,7 @@
 #pragma once
 #include "clay/layer.hpp"
 #include "clay/pulling.hpp"
+#include "clay/swelling.hpp"
 
 namespace bozzetto::clay {
 
@@ -23,7 +24,6 @@ class Automaton final : public Layer {
 
  private:
   void sweepOut(Work& work);
-  void paintSwelling(Work& work);
   void findHot(Work& work);
   void listHot(Work& work);
   bool sweep(Work& work, int parity);
@@ -31,6 +31,7 @@ class Automaton final : public Layer {
   void spreadHeat(const Region& region);
 
   Pulling pulling_;
+  Swelling swelling_;
   std::vector<Key> tiles_;         // to be visited
   std::vector<std::uint8_t> hot_;  // of these: had something to give
 };

@@ -60,14 +60,6 @@ std::uint8_t PlacedTool::waysOut(Key key) const {
   return ways;
 }
 
-float PlacedTool::swelling(Key key) const {
-  const Key local = key - solid->cell;
-  const double depth = -solid->distance(glm::dvec3(local.i, local.j, local.k)) / smallest;
-  const double p = std::clamp(depth, 0.0, 1.0);
-  constexpr double most = 0.4;  // emptier cells would open holes
-  return static_cast<float>(most * strength * p * p * (3 - 2 * p));
-}
-
 void CoverPainter::paintStatic(Region& region, const std::vector<PlacedTool>& supports) {
   region.covered.clear();
   staticTiles_.clear();

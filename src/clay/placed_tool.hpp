@@ -34,8 +34,6 @@ struct PlacedTool {
   std::uint8_t waysOut(Key key) const;
   /// Outwards, of length 1.
   glm::dvec3 normal(Key key) const;
-  /// How much a swelling tool lowers what a cell may hold, at most by 0.4: most at its core.
-  float swelling(Key key) const;
 };
 
 /// Keeps `cover` and `owner` of a region: static tools once, moving tools anew each step.

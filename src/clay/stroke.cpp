@@ -63,9 +63,9 @@ void keepWork(const Region& from, Region& to) {
     }
 }
 
-// Swelling is the automaton's, whatever layers run when clay is pushed.
+// Swelling is the automaton's, and the surface is tidied, whatever layers run when clay is pushed.
 Setup setupFor(const Doing& doing, Setup setup) {
-  if (doing.role == Role::swell) setup.settings.layers = {LayerKind::automaton};
+  if (doing.role == Role::swell) setup.settings.layers = {LayerKind::automaton, LayerKind::tension};
   return setup;
 }
 

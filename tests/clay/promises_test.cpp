@@ -173,6 +173,67 @@ TEST(Promises, AColumnGivesWayUnderAPlate) {
   EXPECT_GT(clay.value({10, 13, 0}), 0.5);
 }
 
+// Relief grows stroke by stroke, by strength, and the clay that it is made of lacks nowhere by
+// much.
+TEST(Promises, SlowSwellingAddsUp) {
+  const auto heightAfter = [](int strokes, double strength) {
+    Clay clay;
+    addSolid(clay, Shape::box, {0, -10, 0}, {20, 10, 20});
+    const double before = statistics(clay).mass;
+    Edit<CornerBlock<8>> edit(clay.tree);
+    for (int n = 0; n < strokes; ++n) {
+      Stroke stroke;
+      stroke.points = {{{-6, 0, 0}, 1}, {{6, 0, 0}, 1}};
+      ClayStroke<8> swelling(edit, clay.scale, toolOf(Shape::ellipsoid, {7, 7, 7}),
+                             {Role::swell, strength}, stroke, {});
+      for (std::int64_t step = 0; step < swelling.stepCount(); ++step) swelling.step(step);
+      swelling.finish();
+      swelling.store();
+    }
+    edit.commit();
+    EXPECT_NEAR(statistics(clay).mass / before, 1, 1e-7);
+    EXPECT_EQ(measure(clay).pieces, 1);
+    EXPECT_GT(clay.value({0, -5, 0}), 0.8);
+    double height = 0;
+    for (int j = 0; j < 20; ++j) height += std::min(1.0f, clay.value({0, j, 0}));
+    return height;
+  };
+  const double one = heightAfter(1, 1), two = heightAfter(2, 1);
+  EXPECT_GT(one, 1);
+  EXPECT_GT(two, 1.6 * one);
+  EXPECT_NEAR(heightAfter(1, 0.5), 0.5 * one, 0.4);
+}
+
+// What the automaton loads does not depend on how much clay there is beyond its matter's way, and a
+// region that grows on the way gives what one does that had the room from the start.
+TEST(Promises, SlowTheAutomatonCostsWhatItReaches) {
+  const auto pressed = [](double half, bool roomy, std::int64_t& cells) {
+    Clay clay;
+    addSolid(clay, Shape::box, {half, -half, half}, {half, half, half});
+    Push push = pushOf(Shape::box, {9, 3, 9}, 1);
+    push.setup.settings.layers = {LayerKind::automaton};
+    push.stroke.points = {{{9, 4, 9}, 1}, {{9, 1, 9}, 1}};
+    if (roomy) push.stroke.symmetry = {.mirror = {true, false, false}, .centre = {100, 0, 0}};
+    Edit<CornerBlock<8>> edit(clay.tree);
+    ClayStroke<8> stroke(edit, clay.scale, push.tool, {push.role, 0.5}, push.stroke, push.setup);
+    cells = 0;
+    for (std::int64_t n = 0; n < stroke.stepCount(); ++n) cells += stroke.step(n).cells;
+    stroke.finish();
+    stroke.store();
+    edit.commit();
+    return clay;
+  };
+  std::int64_t small, huge, roomy;
+  const Clay a = pressed(56, false, small), b = pressed(120, false, huge);
+  EXPECT_EQ(small, huge);
+  for (Key key{-30, -60, -30}; key.i < 60; ++key.i)
+    for (key.j = -60; key.j < 20; ++key.j)
+      for (key.k = -30; key.k < 60; ++key.k) ASSERT_EQ(a.value(key), b.value(key)) << toText(key);
+  const Clay c = pressed(56, true, roomy);
+  EXPECT_GT(roomy, small);
+  EXPECT_EQ(fieldHash(a), fieldHash(c));
+}
+
 // The automaton pulls too: behind the grip a bar grows thinner, as a column grows thicker under a
 // plate.
 TEST(Promises, TheAutomatonPulls) {

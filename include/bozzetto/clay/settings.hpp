@@ -26,7 +26,7 @@ enum class SharingRule { capped, literal };
 
 /// push leaves no room where it is and leads clay along; grip leads what it holds; support leaves
 /// no room and stands still.
-/// swell lowers the automaton's threshold where it is, so that clay grows out.
+/// swell lets clay come out where it is, by the automaton.
 enum class Role { push, grip, support, swell };
 
 std::string_view toText(LayerKind layer);
