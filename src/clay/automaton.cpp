@@ -166,7 +166,7 @@ bool Automaton::sweep(Work& work, int parity) {
 // Until nobody gives on even keys nor on odd ones; closed narrow tubes may swing for ever, so no
 // more than so many sweeps (Takai §2.3).
 void Automaton::run(Work& work) {
-  pulling_.drag(work);
+  pulling_.run(work);
   sweepOut(work);
   swelling_.run(work);
   findHot(work);
@@ -176,7 +176,6 @@ void Automaton::run(Work& work) {
     quiet = given ? 0 : quiet + 1;
     if (given && n % 8 == 7) findHot(work);
   }
-  pulling_.share(work);
 }
 
 }  // namespace bozzetto::clay

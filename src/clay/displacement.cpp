@@ -156,13 +156,6 @@ void Displacement::findFollowing(Work& work) {
   });
 }
 
-// From 0 to 1, level at both ends.
-float eased(float x) { return x * x * (3 - 2 * x); }
-
-// How much of what it does not follow by itself clay is dragged along next to a grip: all of it
-// where the grip is, nothing a radius away. Without, clay tears where the grip ends.
-float dragAt(float distance, float reach) { return eased(std::max(0.0f, 1 - distance / reach)); }
-
 // δ = α·w·(rigid motion of the tool); a piece that nothing holds moves as a whole, and what a grip
 // holds moves with it. What is pulled stretches less and less towards both ends: no notch there.
 void Displacement::addWish(Work& work, std::size_t tool, const Cells<float>& weight) {

@@ -16,4 +16,13 @@ inline float leadOf(float first, float second, float between) {
 void shareLead(const std::vector<float>& distance, const std::vector<float>& between,
                std::vector<float>& weight);
 
+/// From 0 to 1, level at both ends.
+inline float eased(float x) { return x * x * (3 - 2 * x); }
+
+/// How much of what it does not follow by itself clay is dragged along next to a grip: all of it
+/// where the grip is, nothing `reach` away. Without, clay tears where the grip ends.
+inline float dragAt(float distance, float reach) {
+  return distance <= 0 ? 1.0f : distance >= reach ? 0.0f : eased(1 - distance / reach);
+}
+
 }  // namespace bozzetto::clay

@@ -442,6 +442,14 @@ void findTypes(Work& work) {
   });
 }
 
+void beginWish(Region& region) {
+  for (auto& axis : region.wish)
+    if (!region.wished)
+      forRows(region.rows(),
+              [&](const Row& row) { std::fill_n(&axis[row.base], row.count, 0.0f); });
+  region.wished = true;
+}
+
 void followWish(Work& work) {
   findTypes(work);
   for (std::size_t axis = 0; axis < 3; ++axis) findFaces(work.region, axis);

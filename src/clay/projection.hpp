@@ -22,6 +22,9 @@ class Projection {
   PressureGrid grid_;
 };
 
+/// Before a layer adds to region.wish: 0 unless another has wished already.
+void beginWish(Region& region);
+
 /// From region.wish to region.face as it is.
 void followWish(Work& work);
 

@@ -2,6 +2,7 @@
 // is too much comes out. Left to find its own way it goes to all sides; here it goes the way the
 // surface faces, and what lacks behind it is made good by the clay inside.
 #pragma once
+#include "clay/evening.hpp"
 #include "clay/layer.hpp"
 
 namespace bozzetto::clay {
@@ -15,14 +16,8 @@ class Swelling {
  private:
   bool wish(Work& work);
   void wishFor(Region& region, const PlacedTool& tool, const glm::dvec3& out);
-  void listLacking(const Region& region);
-  void even(Region& region, int parity);
 
-  std::vector<Key> tiles_;  // with cells inside that lack, and their neighbours
+  Evening evening_;
 };
-
-/// Evens out a block of eight cells that clay is all round of: those that hold more than the mean
-/// give to those that hold less. Exact.
-void evenBlock(Region& region, const std::array<std::size_t, 8>& cells);
 
 }  // namespace bozzetto::clay
