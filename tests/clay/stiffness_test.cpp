@@ -74,7 +74,7 @@ TEST(PaintedStiffness, OffsetsAreWhatTheStiffnessBecomes) {
 }
 
 // Its soft third costs tools' leads eight times as much as the stiff ones (√4 against 1/4 of what
-// bare clay costs), so it makes 8/10 of the rise; bare clay shares it out evenly.
+// bare clay costs): the lead is 0.1 and 0.9 at its ends, eased 0.028 and 0.972.
 TEST(PaintedStiffness, SlowABarSoftInTheMiddleBendsInTheMiddle) {
   Clay even = bar(), soft = bar();
   const double mass = statistics(even).mass;
@@ -83,7 +83,7 @@ TEST(PaintedStiffness, SlowABarSoftInTheMiddleBendsInTheMiddle) {
   push.setup.stiffness = softInTheMiddle();
   run(soft, push);
   EXPECT_LT(middleShare(even), 0.4);
-  EXPECT_NEAR(middleShare(soft), 0.8, 0.05);
+  EXPECT_NEAR(middleShare(soft), 0.944, 0.02);
   EXPECT_EQ(measure(soft).pieces, 1);
   EXPECT_NEAR(statistics(soft).mass, mass, 1e-7 * mass);
 }
