@@ -19,7 +19,7 @@ CellBounds inWorld(const CellBounds& cells, double spacing) {
 
 Atelier::Atelier(const Options& given) : configFolder_(given.configFolder), worker_(given.wake) {
   if (!configFolder_.empty()) settings = settingsKept_ = readSettings(configFolder_);
-  keymap.setProfile(settings.profile);
+  setProfile(settings.profile);
   keymap.setChanges(settings.keys);
   sculpt.pressureStrength = settings.pressureStrength;
   sculpt.pressureSize = settings.pressureSize;
@@ -35,7 +35,10 @@ Atelier::Atelier(const Options& given) : configFolder_(given.configFolder), work
   }
 }
 
-Atelier::~Atelier() { keepSettings(); }
+Atelier::~Atelier() {
+  for (const Job& each : jobs_) each.job->cancel();
+  keepSettings();
+}
 
 // Written when they changed, so that a crash takes none of them.
 void Atelier::keepSettings() {
@@ -54,6 +57,12 @@ void Atelier::keepSettings() {
   }
 }
 
+// Where ZBrush people drag beside the clay they turn it.
+void Atelier::setProfile(KeyProfile profile) {
+  keymap.setProfile(profile);
+  sculpt.emptyDrag = profile == KeyProfile::zbrush ? EmptyDrag::orbit : EmptyDrag::sculpt;
+}
+
 void Atelier::setViewport(glm::dvec2 corner, const Extent& extent, double scale) {
   corner_ = corner;
   extent_ = extent;
@@ -65,6 +74,10 @@ Publication Atelier::poll() {
     settingsKeptAt_ = now_;
     keepSettings();
   }
+  const bool settled = asked_ && asked_->isOver();
+  std::vector<std::shared_ptr<LongJob>> over;
+  for (const Job& each : jobs_)
+    if (each.job->isOver()) over.push_back(each.job);
   Publication fresh = worker_.take();
   if (fresh.cleared) patches_.clear();
   for (const auto& [key, patch] : fresh.fine) patches_.put(key, patch);
@@ -88,13 +101,23 @@ Publication Atelier::poll() {
     sculpt.size = std::clamp(half * 0.1, 3.0, 64.0) * status_.scale.spacing;
     sized_ = true;
   }
-  if (job_ && job_->isOver()) {
-    const auto job = std::exchange(job_, nullptr);
-    const auto then = std::exchange(afterJob_, nullptr);
-    if (then && !job->failed()) then();
+  finishJobs(over);
+  if (settled) {
+    asked_ = nullptr;
+    decide(std::exchange(afterAsking_, nullptr));
   }
   if (!fresh.empty() && gesture_ == Gesture::none) updateHover();
   return fresh;
+}
+
+void Atelier::finishJobs(const std::vector<std::shared_ptr<LongJob>>& over) {
+  for (const auto& job : over) {
+    const auto at = std::ranges::find(jobs_, job, &Job::job);
+    const auto then = std::move(at->then);
+    jobs_.erase(at);
+    if (!job->error().empty()) say(Message::Kind::error, job->error());
+    if (then && !job->failed()) then();
+  }
 }
 
 // What has become of the document.
@@ -135,6 +158,7 @@ void Atelier::opened(OpenedDocument document) {
   }
   framed_ = sized_ = false;
   setMode(WorkMode::clay);
+  wantPictures();
   if (shelf.open) listShelf();
   airPoint_.reset();
   heldTool_.reset();
@@ -185,6 +209,7 @@ void Atelier::movedView(const ViewState& before) {
 std::string Atelier::title() const { return path().empty() ? "untitled" : path().stem().string(); }
 
 void Atelier::say(Message::Kind kind, std::string text) {
+  std::erase_if(messages_, [&](const Message& message) { return message.text == text; });
   messages_.push_back({kind, std::move(text), now_ + kMessageSeconds});
   if (messages_.size() > 4) messages_.erase(messages_.begin());
 }
@@ -198,6 +223,7 @@ std::vector<Message> Atelier::messages() const {
 
 Held Atelier::heldMeaning() const {
   if (keymap.smooths(held_)) return Held::smooth;
+  if (keymap.holds(held_)) return Held::hold;
   return keymap.inverts(held_) ? Held::invert : Held::nothing;
 }
 
@@ -214,9 +240,36 @@ ViewFrame Atelier::viewFrame() const {
   return shown;
 }
 
+// While another document is on its way, what is done to this one would meet that one.
+const LongJob* Atelier::bringing() const {
+  for (const Job& each : jobs_)
+    if (each.job->brings() == Brings::anotherDocument) return each.job.get();
+  return nullptr;
+}
+
+bool Atelier::anotherComes() {
+  const LongJob* job = bringing();
+  if (job != nullptr)
+    say(Message::Kind::note, job->title() + ": wait for it, or cancel it, to go on here");
+  return job != nullptr;
+}
+
+void Atelier::ask(ClayWorker::Task task) {
+  if (!anotherComes()) worker_.post(std::move(task));
+}
+
+void Atelier::begin(const std::string& title, ClayWorker::Work work, std::function<void()> then) {
+  if (!anotherComes()) whenDone(worker_.start(title, std::move(work)), std::move(then));
+}
+
+void Atelier::bring(const std::string& title, ClayWorker::Work work, std::function<void()> then) {
+  if (anotherComes()) return;
+  whenDone(worker_.start(title, std::move(work), Brings::anotherDocument), std::move(then));
+}
+
 void Atelier::apply(const Operation& operation) {
   touch();
-  worker_.post([operation](ClayDesk& desk) { desk.apply(operation); });
+  ask([operation](ClayDesk& desk) { desk.apply(operation); });
 }
 
 }  // namespace bozzetto::ui

@@ -106,6 +106,8 @@ class Atelier {
   void setTime(double seconds) { now_ = seconds; }
   double now() const { return now_; }
   /// The free viewport in window pixels; `scale` of the interface.
+  /// With the keys comes what a drag beside the clay does.
+  void setProfile(KeyProfile profile);
   void setViewport(glm::dvec2 corner, const Extent& extent, double scale);
   /// Takes what the worker has finished. Returns patches for the renderer.
   Publication poll();
@@ -263,7 +265,9 @@ class Atelier {
   const std::vector<LeftDocument>& leftBehind() const { return left_; }
   bool isPeeking() const { return peeking_; }
   bool wantsToClose() const { return closing_; }
-  const std::shared_ptr<LongJob>& job() const { return job_; }
+  /// The one that runs, or has run last; null without any.
+  std::shared_ptr<LongJob> job() const { return jobs_.empty() ? nullptr : jobs_.front().job; }
+  std::size_t jobsWaiting() const { return jobs_.empty() ? 0 : jobs_.size() - 1; }
   std::vector<Message> messages() const;
   void say(Message::Kind kind, std::string text);
   glm::dvec2 pointerAt() const { return pointer_; }
@@ -283,6 +287,17 @@ class Atelier {
   void frameAll();
 
  private:
+  void finishJobs(const std::vector<std::shared_ptr<LongJob>>& over);
+  const LongJob* bringing() const;
+  bool anotherComes();
+  /// Short work, long work, and what brings another document.
+  void ask(ClayWorker::Task task);
+  void begin(const std::string& title, ClayWorker::Work work, std::function<void()> then = {});
+  void bring(const std::string& title, ClayWorker::Work work, std::function<void()> then = {});
+  void decide(const std::function<void()>& next);
+  void wantPictures();
+  void standBehind(ReferencePicture& picture) const;
+  void dropDocument(const std::filesystem::path& path);
   void beginStroke(double pressure);
   void continueStroke(double pressure);
   void flushStroke();
@@ -313,7 +328,6 @@ class Atelier {
   void saved(const SavedFile& file);
   void close();
   Leaving leaving();
-  void leaveDocument();
   void whenDone(std::shared_ptr<LongJob> job, std::function<void()> then);
   void startNew(NewClay kind, const std::filesystem::path& path = {});
   void takeHold(Moves what);
@@ -434,8 +448,13 @@ class Atelier {
   bool discarding_ = false;  // the user said so; done when the document is left
   bool peeking_ = false;
   std::function<void()> afterSaving_, whenSaved_;
-  std::shared_ptr<LongJob> job_;
-  std::function<void()> afterJob_;
+  struct Job {
+    std::shared_ptr<LongJob> job;
+    std::function<void()> then;
+  };
+  std::vector<Job> jobs_;
+  std::shared_ptr<LongJob> asked_;
+  std::function<void()> afterAsking_;
   ClayWorker worker_;
 };
 

@@ -27,11 +27,9 @@ ToolGhost supportGhost(const clay::Support& support, std::shared_ptr<const ToolM
 }  // namespace
 
 void Atelier::relax() {
-  whenDone(
-      worker_.start("Relaxing", [settings = ClayOperation{sculpt.clay}, steps = relaxSteps](
-                                    ClayDesk& desk,
-                                    Progress& progress) { desk.relax(settings, steps, progress); }),
-      {});
+  begin("Relaxing",
+        [settings = ClayOperation{sculpt.clay}, steps = relaxSteps](
+            ClayDesk& desk, Progress& progress) { desk.relax(settings, steps, progress); });
 }
 
 // In the workspace box; the first time that is shown.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "bozzetto/base/text.hpp"
+#include "bozzetto/io/mesh_file.hpp"
 #include "bozzetto/render/picture.hpp"
 #include "bozzetto/render/png.hpp"
 #include "ui/atelier.hpp"
@@ -17,17 +18,35 @@ std::string numbered(const fs::path& path, int frame) {
   return (folder / fmt::format("{}-{:03}.png", path.stem().string(), frame + 1)).string();
 }
 
+void draw(const PictureWish& wish, const PictureOptions& how, const Surface<8>& surface,
+          const Clay& clay, Progress& progress) {
+  if (wish.frames == 1) {
+    writePng(wish.path, renderPicture(surface, clay, how, progress));
+    return;
+  }
+  const auto keep = [&](int frame, const Image& image) {
+    writePng(numbered(wish.path, frame), image);
+  };
+  renderTurn(surface, clay, how, keep, progress);
+}
+
 }  // namespace
 
 void Atelier::whenDone(std::shared_ptr<LongJob> job, std::function<void()> then) {
-  job_ = std::move(job);
-  afterJob_ = std::move(then);
+  jobs_.push_back({std::move(job), std::move(then)});
 }
 
+// What is still on its way to the clay counts too.
 void Atelier::ifSaved(std::function<void()> next) {
   discarding_ = false;
+  if (!worker_.hasTasks() && !worker_.hasNews()) return decide(next);
+  afterAsking_ = std::move(next);
+  asked_ = worker_.start("", [](ClayDesk&, Progress&) {});
+}
+
+void Atelier::decide(const std::function<void()>& next) {
   if (!isModified()) return next();
-  afterSaving_ = std::move(next);
+  afterSaving_ = next;
   dialog = Dialog::unsaved;
 }
 
@@ -45,12 +64,15 @@ void Atelier::answerUnsaved(bool save) {
 }
 
 void Atelier::askToClose() {
+  for (const Job& each : jobs_) each.job->cancel();
   ifSaved([this] { close(); });
 }
 
 void Atelier::close() {
-  leaveDocument();
-  worker_.post([](ClayDesk& desk) { desk.leave(); });
+  worker_.post([leaving = leaving()](ClayDesk& desk) {
+    if (leaving == Leaving::discard) desk.discard();
+    desk.leave();
+  });
   closing_ = true;
 }
 
@@ -59,13 +81,11 @@ Leaving Atelier::leaving() {
   return std::exchange(discarding_, false) ? Leaving::discard : Leaving::keep;
 }
 
-void Atelier::leaveDocument() {
-  if (leaving() == Leaving::discard) worker_.post([](ClayDesk& desk) { desk.discard(); });
-}
-
 void Atelier::startNew(NewClay kind, const fs::path& path) {
-  leaveDocument();
-  worker_.post([kind, path](ClayDesk& desk) { desk.startNew(kind, path); });
+  bring("Something new", [kind, path, leaving = leaving()](ClayDesk& desk, Progress&) {
+    if (leaving == Leaving::discard) desk.discard();
+    desk.startNew(kind, path);
+  });
 }
 
 void Atelier::openScene(const fs::path& path) {
@@ -74,11 +94,12 @@ void Atelier::openScene(const fs::path& path) {
   if (!fs::exists(path) && !identityOf(historyFolderOf(path))) {
     return startNew(NewClay::ball, path);
   }
-  whenDone(worker_.start("Opening " + path.filename().string(),
-                         [path, leaving = leaving()](ClayDesk& desk, Progress& progress) {
-                           desk.open(path, progress, leaving);
-                         }),
-           [this, path] { settings.remember(path); });
+  bring(
+      "Opening " + path.filename().string(),
+      [path, leaving = leaving()](ClayDesk& desk, Progress& progress) {
+        desk.open(path, progress, leaving);
+      },
+      [this, path] { settings.remember(path); });
 }
 
 SceneParts Atelier::parts() const {
@@ -95,6 +116,7 @@ void Atelier::saveScene(const fs::path& wanted, std::function<void()> then) {
   fs::path path = wanted;
   if (path.extension().empty()) path += ".bzt";
   dialog = Dialog::none;
+  if (anotherComes()) return;
   if (!then) then = std::exchange(afterSaving_, nullptr);
   afterSaving_ = nullptr;
   whenSaved_ = std::move(then);
@@ -102,11 +124,9 @@ void Atelier::saveScene(const fs::path& wanted, std::function<void()> then) {
 }
 
 void Atelier::saveNumbered() {
-  whenDone(worker_.start("Saving a copy",
-                         [path = path(), parts = parts()](ClayDesk& desk, Progress& progress) {
-                           desk.saveNumbered(path, parts, progress);
-                         }),
-           {});
+  begin("Saving a copy", [path = path(), parts = parts()](ClayDesk& desk, Progress& progress) {
+    desk.saveNumbered(path, parts, progress);
+  });
 }
 
 void Atelier::importMesh(const fs::path& path, int cells) {
@@ -115,25 +135,23 @@ void Atelier::importMesh(const fs::path& path, int cells) {
   how.from = fs::absolute(path).string();
   how.cells = cells;
   how.colour = sculpt.colour;
-  whenDone(worker_.start("Importing " + path.filename().string(),
-                         [how, leaving = leaving()](ClayDesk& desk, Progress& progress) {
-                           desk.import(how, progress, leaving);
-                         }),
-           {});
+  bring("Importing " + path.filename().string(),
+        [how, leaving = leaving()](ClayDesk& desk, Progress& progress) {
+          desk.import(how, progress, leaving);
+        });
 }
 
 void Atelier::exportMesh(const fs::path& path, double keep) {
   dialog = Dialog::none;
-  whenDone(worker_.start("Exporting " + path.filename().string(),
-                         [path, keep](ClayDesk& desk, Progress& progress) {
-                           desk.exportMesh(path, keep, progress);
-                         }),
-           [this, path] { say(Message::Kind::note, "Exported " + path.filename().string()); });
+  begin(
+      "Exporting " + path.filename().string(),
+      [path, keep](ClayDesk& desk, Progress& progress) { desk.exportMesh(path, keep, progress); },
+      [this, path] { say(Message::Kind::note, "Exported " + path.filename().string()); });
 }
 
 void Atelier::saveRecording(const fs::path& path) {
   dialog = Dialog::none;
-  worker_.post([path](ClayDesk& desk) {
+  ask([path](ClayDesk& desk) {
     desk.saveRecording(path);
     desk.note("Recording saved as " + path.filename().string());
   });
@@ -141,18 +159,14 @@ void Atelier::saveRecording(const fs::path& path) {
 
 void Atelier::replay(const fs::path& path) {
   dialog = Dialog::none;
-  whenDone(
-      worker_.start("Replaying " + path.filename().string(),
-                    [path](ClayDesk& desk, Progress& progress) { desk.replay(path, progress); }),
-      {});
+  begin("Replaying " + path.filename().string(),
+        [path](ClayDesk& desk, Progress& progress) { desk.replay(path, progress); });
 }
 
 void Atelier::resample(double spacing) {
-  whenDone(worker_.start("Resampling",
-                         [spacing](ClayDesk& desk, Progress& progress) {
-                           desk.apply(ResampleOperation{spacing}, progress);
-                         }),
-           {});
+  begin("Resampling", [spacing](ClayDesk& desk, Progress& progress) {
+    desk.apply(ResampleOperation{spacing}, progress);
+  });
 }
 
 void Atelier::showStructure(Structure structure) {
@@ -161,7 +175,7 @@ void Atelier::showStructure(Structure structure) {
   worker_.post([structure](ClayDesk& desk) { desk.setStructure(structure); });
 }
 
-// The view as it is, without panels. Drawn by a context of the worker's own.
+// The view as it is, without panels. Drawn by a thread and a context of its own.
 void Atelier::takePicture(const PictureWish& wish) {
   dialog = Dialog::none;
   PictureOptions how;
@@ -173,65 +187,93 @@ void Atelier::takePicture(const PictureWish& wish) {
   how.look.dither = 0;
   how.projection = view.projection;
   how.camera = cameraOf(view, status_.scale.spacing);
-  whenDone(worker_.start("Drawing " + wish.path.filename().string(),
-                         [wish, how](ClayDesk& desk, Progress& progress) {
-                           const Sculptor& sculptor = desk.sculptor();
-                           if (wish.frames == 1) {
-                             writePng(wish.path, renderPicture(sculptor.surface(), sculptor.field(),
-                                                               how, progress));
-                             return;
-                           }
-                           const auto keep = [&](int frame, const Image& image) {
-                             writePng(numbered(wish.path, frame), image);
-                           };
-                           renderTurn(sculptor.surface(), sculptor.field(), how, keep, progress);
-                         }),
-           [this, wish] { say(Message::Kind::note, "Saved " + wish.path.filename().string()); });
+  // Of the clay as it is now; work goes on meanwhile.
+  const auto prepare = [wish, how](ClayDesk& desk) -> ClayWorker::Beside {
+    const Sculptor& now = desk.sculptor();
+    return [wish, how, surface = now.surface(), clay = now.field()](Progress& progress) {
+      draw(wish, how, surface, clay, progress);
+    };
+  };
+  const std::string name = wish.path.filename().string();
+  whenDone(worker_.startBeside("Drawing " + name, prepare),
+           [this, name] { say(Message::Kind::note, "Saved " + name); });
 }
 
-// Facing the viewer behind the target, nearly as high as the view.
+// Facing the viewer behind the clay, nearly as high as the view. One that was lost comes back to
+// its place.
 void Atelier::addReference(const fs::path& path) {
   dialog = Dialog::none;
   try {
     Reference reference;
     reference.from = fs::absolute(path).string();
-    ReferencePicture& picture = reference.picture;
-    picture.image = std::make_shared<const Image>(readPng(path));
-    const double half = unitsPerPixel(view, extent_, view.target) * extent_.height * .45;
-    const double aspect = double(picture.image->width) / picture.image->height;
-    picture.centre = view.target;
-    picture.right = view.right() * (half * aspect);
-    picture.up = view.up() * half;
+    reference.picture.image = std::make_shared<const Image>(readPng(path));
+    for (Reference& each : options.references) {
+      if (each.picture.image || fs::path(each.from).filename() != path.filename()) continue;
+      each.from = reference.from;
+      each.picture.image = reference.picture.image;
+      return;
+    }
+    standBehind(reference.picture);
     options.references.push_back(std::move(reference));
   } catch (const Error& error) {
     say(Message::Kind::error, error.what());
   }
 }
 
+void Atelier::standBehind(ReferencePicture& picture) const {
+  const CellBounds& clay = status_.bounds;
+  double depth = 0;
+  for (int n = 0; n < 8 && !clay.empty(); ++n) {
+    const glm::dvec3 corner{(n & 1 ? clay.low : clay.high).x, (n & 2 ? clay.low : clay.high).y,
+                            (n & 4 ? clay.low : clay.high).z};
+    depth = std::max(depth, glm::dot(view.target - corner * status_.scale.spacing, view.back()));
+  }
+  picture.centre = view.target - view.back() * (1.02 * depth);
+  const double half = unitsPerPixel(view, extent_, picture.centre) * extent_.height * .45;
+  picture.right = view.right() * (half * picture.image->width / picture.image->height);
+  picture.up = view.up() * half;
+}
+
 void Atelier::loadMatcap(const fs::path& path) {
   dialog = Dialog::none;
   try {
     options.look.matcapImage = std::make_shared<const Image>(readPng(path));
+    options.matcapFrom = fs::absolute(path).string();
     options.look.mode = Mode::matcap;
   } catch (const Error& error) {
     say(Message::Kind::error, error.what());
   }
 }
 
-// By what the first file is.
+// Tools and pictures all of them, of documents the first.
 void Atelier::drop(const std::vector<std::string>& paths) {
-  if (paths.empty()) return;
-  const fs::path path = paths.front();
-  if (shelf.open) return keepFile(path);
+  std::vector<fs::path> documents;
+  for (const std::string& name : paths) {
+    const fs::path path = name;
+    if (shelf.open) {
+      keepFile(path);
+    } else if (lower(path.extension().string()) == ".png") {
+      addReference(path);
+    } else {
+      documents.push_back(path);
+    }
+  }
+  if (documents.empty()) return;
+  dropDocument(documents.front());
+  if (documents.size() > 1)
+    say(Message::Kind::note, "One at a time: took " + documents.front().filename().string());
+}
+
+// What cannot be opened asks nothing.
+void Atelier::dropDocument(const fs::path& path) {
   const std::string kind = lower(path.extension().string());
-  if (kind == ".bzt") {
-    ifSaved([this, path] { openScene(path); });
-  } else if (kind == ".jsonl") {
-    replay(path);
-  } else if (kind == ".png") {
-    addReference(path);
-  } else {
+  if (kind == ".bzt") return ifSaved([this, path] { openScene(path); });
+  if (kind == ".jsonl") return replay(path);
+  try {
+    meshFormatOf(path);
     ifSaved([this, path] { importMesh(path, 192); });
+  } catch (const Error& error) {
+    say(Message::Kind::error, error.what());
   }
 }
 

@@ -16,7 +16,7 @@ void Atelier::goTo(StepNumber step) {
 void Atelier::recallFrom(StepNumber step) { sculpt.recall = step; }
 
 void Atelier::compareWith(StepNumber step) {
-  worker_.post([step](ClayDesk& desk) { desk.compare(step); });
+  ask([step](ClayDesk& desk) { desk.compare(step); });
 }
 
 void Atelier::peek(bool shown) {
@@ -35,11 +35,10 @@ void Atelier::answerRecovered(bool asSaved) {
 void Atelier::openLeftBehind(const std::filesystem::path& path) {
   dialog = Dialog::none;
   ifSaved([this, path] {
-    whenDone(worker_.start("Opening what was left behind",
-                           [path, leaving = leaving()](ClayDesk& desk, Progress& progress) {
-                             desk.open(path, progress, leaving);
-                           }),
-             {});
+    bring("Opening what was left behind",
+          [path, leaving = leaving()](ClayDesk& desk, Progress& progress) {
+            desk.open(path, progress, leaving);
+          });
   });
 }
 
@@ -48,6 +47,7 @@ void Atelier::discardLeftBehind(const std::filesystem::path& path) {
 }
 
 void Atelier::keepPicture(StepNumber step, Bytes png) {
+  if (bringing() != nullptr) return;
   worker_.post([step, png = std::move(png)](ClayDesk& desk) mutable {
     desk.keepPicture(step, std::move(png));
   });

@@ -83,6 +83,9 @@ void Atelier::press(Button button, Modifiers with) {
   pressedAt_ = pointer_;
   before_ = sculpt;
   gesture_ = gestureFor(button, with);
+  const bool onClay = gesture_ == Gesture::stroke || gesture_ == Gesture::solid ||
+                      gesture_ == Gesture::support || gesture_ == Gesture::lasso;
+  if (onClay && anotherComes()) gesture_ = Gesture::none;
   if (gesture_ == Gesture::solid && !beginSolid()) gesture_ = Gesture::none;
   if (gesture_ == Gesture::support) chosenSupport = supportAt(pointer_);
   if (gesture_ == Gesture::lasso) beginLasso();
@@ -195,6 +198,7 @@ void Atelier::moveToolDepth(double notches) {
 bool Atelier::key(const Chord& chord, bool repeated) {
   touch();
   if (chord.key == KeyCode::escape) {
+    const bool idle = gesture_ == Gesture::none && !paletteOpen && !movingReference;
     if (gesture_ == Gesture::none) dropCurve();
     if (gesture_ == Gesture::lasso) gesture_ = Gesture::none;
     dropParts();
@@ -207,6 +211,7 @@ bool Atelier::key(const Chord& chord, bool repeated) {
     gestureByKey_ = false;
     paletteOpen = false;
     movingReference.reset();
+    if (const auto running = job(); running && idle) running->cancel();
     if (mouseMoves == Moves::light) takeHold(Moves::scene);
     return true;
   }

@@ -124,6 +124,12 @@ void Atelier::takeLights(const SceneParts& parts) {
   }
   const auto look = parts.settings.find(kLookSetting);
   if (look != parts.settings.end()) takeLook(look->second, options);
+  const auto lost = [&](const std::string& from) {
+    say(Message::Kind::error, from + ": not found");
+  };
+  for (const Reference& each : options.references)
+    if (!each.picture.image) lost(each.from);
+  if (!options.matcapFrom.empty() && !options.look.matcapImage) lost(options.matcapFrom);
   studioSeen_ = studio;
 }
 

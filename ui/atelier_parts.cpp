@@ -99,16 +99,14 @@ void Atelier::takePart(Command how) {
   const bool cuts = how == Command::cutPart;
   const bool lists = shelf.open;
   lasso_.reset();
-  whenDone(worker_.start(cuts ? "Cutting" : "Copying",
-                         [=](ClayDesk& desk, Progress& progress) {
-                           desk.apply(copy, progress);
-                           if (cuts) desk.apply(CutOperation{region}, progress);
-                           ToolSource source;
-                           source.from = "shelf:" + copy.name;
-                           desk.takeTool(source);
-                           if (lists) desk.listShelf();
-                         }),
-           {});
+  begin(cuts ? "Cutting" : "Copying", [=](ClayDesk& desk, Progress& progress) {
+    desk.apply(copy, progress);
+    if (cuts) desk.apply(CutOperation{region}, progress);
+    ToolSource source;
+    source.from = "shelf:" + copy.name;
+    desk.takeTool(source);
+    if (lists) desk.listShelf();
+  });
 }
 
 // Where it is seen, as it stands there.

@@ -34,30 +34,29 @@ std::string freeName(const std::vector<ShelfCard>& cards, const std::string& wan
   return name;
 }
 
-void Atelier::listShelf() {
+// Nobody draws them where nobody looks.
+void Atelier::wantPictures() {
   const auto pictures = thumbnail ? ShelfPictures::made : ShelfPictures::none;
-  worker_.post([pictures](ClayDesk& desk) {
-    desk.setPictures(pictures);
-    desk.listShelf();
-  });
+  worker_.post([pictures](ClayDesk& desk) { desk.setPictures(pictures); });
+}
+
+void Atelier::listShelf() {
+  wantPictures();
+  worker_.post([](ClayDesk& desk) { desk.listShelf(); });
 }
 
 void Atelier::takeTool(const ToolEntry& entry) {
   touch();
-  whenDone(worker_.start(
-               "Taking " + entry.name,
-               [source = named(entry.name)](ClayDesk& desk, Progress&) { desk.takeTool(source); }),
-           {});
+  begin("Taking " + entry.name,
+        [source = named(entry.name)](ClayDesk& desk, Progress&) { desk.takeTool(source); });
 }
 
 void Atelier::keep(ShelfKeepOperation operation) {
   touch();
-  whenDone(worker_.start("Keeping " + operation.name,
-                         [operation](ClayDesk& desk, Progress& progress) {
-                           desk.apply(operation, progress);
-                           desk.listShelf();
-                         }),
-           {});
+  begin("Keeping " + operation.name, [operation](ClayDesk& desk, Progress& progress) {
+    desk.apply(operation, progress);
+    desk.listShelf();
+  });
 }
 
 // With what the hand does now, so that it comes back as it was used.
@@ -91,7 +90,7 @@ void Atelier::keepLetters(const std::string& text, double size, double depth) {
 void Atelier::renameTool(const ToolEntry& entry, const std::string& to,
                          std::vector<std::string> tags) {
   touch();
-  worker_.post([entry, to, tags = std::move(tags)](ClayDesk& desk) {
+  ask([entry, to, tags = std::move(tags)](ClayDesk& desk) {
     if (entry.place == Place::user) return desk.renameUserTool(entry.name, to);
     desk.apply(ShelfRenameOperation{entry.name, to, tags});
     desk.listShelf();
@@ -100,7 +99,7 @@ void Atelier::renameTool(const ToolEntry& entry, const std::string& to,
 
 void Atelier::dropTool(const ToolEntry& entry) {
   touch();
-  worker_.post([entry](ClayDesk& desk) {
+  ask([entry](ClayDesk& desk) {
     if (entry.place == Place::user) return desk.dropUserTool(entry.name);
     desk.apply(ShelfDropOperation{entry.name});
     desk.listShelf();
@@ -109,11 +108,11 @@ void Atelier::dropTool(const ToolEntry& entry) {
 
 void Atelier::shareTool(const ToolEntry& entry, const fs::path& path) {
   dialog = Dialog::none;
-  worker_.post([entry, path](ClayDesk& desk) { desk.shareTool(entry.name, path); });
+  ask([entry, path](ClayDesk& desk) { desk.shareTool(entry.name, path); });
 }
 
 void Atelier::keepForUser(const ToolEntry& entry) {
-  worker_.post([entry](ClayDesk& desk) { desk.keepForUser(entry.name); });
+  ask([entry](ClayDesk& desk) { desk.keepForUser(entry.name); });
 }
 
 }  // namespace bozzetto::ui

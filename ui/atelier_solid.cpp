@@ -201,20 +201,15 @@ void Atelier::wrapClay() {
 
 void Atelier::applyWrap() {
   const WrapOptions how{solid.bakeLevels, solid.keepMass ? KeepMass::yes : KeepMass::no};
-  whenDone(worker_.start("Carrying the clay along",
-                         [how](ClayDesk& desk, Progress& progress) {
-                           desk.apply(WrapApplyOperation{how}, progress);
-                         }),
-           {});
+  begin("Carrying the clay along", [how](ClayDesk& desk, Progress& progress) {
+    desk.apply(WrapApplyOperation{how}, progress);
+  });
 }
 
 void Atelier::bakeSolid() {
   const BakeOptions how{solid.bakeLevels, sculpt.colour};
-  whenDone(worker_.start("Baking the solid",
-                         [how](ClayDesk& desk, Progress& progress) {
-                           desk.apply(BakeOperation{how}, progress);
-                         }),
-           {});
+  begin("Baking the solid",
+        [how](ClayDesk& desk, Progress& progress) { desk.apply(BakeOperation{how}, progress); });
 }
 
 void Atelier::solidWindow() {

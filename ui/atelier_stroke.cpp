@@ -32,6 +32,7 @@ void Atelier::beginStroke(double pressure) {
 }
 
 void Atelier::beginHeldStroke() {
+  if (anotherComes()) return;
   if (!heldTool_) heldTool_ = HeldTool{hover_.point(), sculpt.rotation};
   heldStroke_ = true;
   tellEye();

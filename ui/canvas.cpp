@@ -16,7 +16,7 @@ namespace bozzetto::ui {
 namespace {
 
 constexpr std::size_t kUploadBytesAFrame = 12 << 20;
-constexpr int kBallPixels = 128, kStepWidth = 116, kStepHeight = 92;
+constexpr int kBallPixels = 128;
 
 // A framebuffer with colour and depth.
 class Target {
@@ -114,7 +114,7 @@ struct Canvas::Impl {
   std::vector<GLuint> dying;  // this frame's panels may show them still
   Publication waiting;
   std::shared_ptr<const SolidShown> solid;  // whose surface is uploaded
-  int fontsVersion = 0;
+  bool hasFonts = false;
 
   void makeBalls();
   void takeFonts();
@@ -156,10 +156,7 @@ void Canvas::Impl::makeBalls() {
 
 // Only their texture is made anew: the back end would forget that its buffers are empty again.
 void Canvas::Impl::takeFonts() {
-  const int wanted = interface->fontsVersion();
-  const int had = std::exchange(fontsVersion, wanted);
-  if (had == wanted) return;
-  if (had == 0) {
+  if (!std::exchange(hasFonts, true)) {
     ImGui_ImplOpenGL3_CreateDeviceObjects();  // nobody calls the back end's NewFrame
     return;
   }
@@ -238,8 +235,8 @@ void Canvas::Impl::pictureStep() {
   box.high =
       glm::max(status.lastEdit.high, status.lastEdit.centre() + least) * status.scale.spacing;
   Shot shot;
-  shot.width = kStepWidth;
-  shot.height = kStepHeight;
+  shot.width = kStepPicture.x;
+  shot.height = kStepPicture.y;
   frame(near, std::span(&box, 1), double(shot.width) / shot.height, .9);
   shot.camera = cameraOf(near, status.scale.spacing);
   shot.stage = status.stage;
@@ -343,11 +340,13 @@ Canvas::Canvas(Interface& interface, Atelier& atelier) : impl_(std::make_unique<
   glGetBooleanv(GL_STEREO, &twoEyes);
   atelier.quadBuffer = twoEyes == GL_TRUE;
   ImGui_ImplOpenGL3_Init("#version 330 core");
+  interface.fontsChanged = [impl = impl_.get()] { impl->takeFonts(); };
   impl_->makeBalls();
   impl_->viewport = std::make_unique<Viewport>(impl_->renderer);
 }
 
 Canvas::~Canvas() {
+  impl_->interface->fontsChanged = nullptr;
   glDeleteTextures(GLsizei(impl_->textures.size()), impl_->textures.data());
   ImGui_ImplOpenGL3_Shutdown();
 }
@@ -359,7 +358,6 @@ bool Canvas::hasUploads() const {
 
 bool Canvas::draw(Publication fresh, glm::dvec2 size) {
   Impl& c = *impl_;
-  c.takeFonts();
   if (c.atelier->shelf.open) c.uploadTools();
   c.takePictures(fresh);
   if (fresh.status) c.forgetSteps();

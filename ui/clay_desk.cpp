@@ -3,13 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <numbers>
 
 #include "bozzetto/base/file.hpp"
+#include "bozzetto/render/thumbnail.hpp"
 #include "bozzetto/surface/statistics.hpp"
 #include "ui/clay_desk_parts.hpp"
 #include "ui/stiffness_shown.hpp"
 
 namespace bozzetto::ui {
+namespace {
+
+constexpr std::size_t kMostDrawn = 60;   // steps of earlier days without a picture
+constexpr double kMostBlocks = 125'000;  // of a stroke's own: half a gigabyte, more than by intent
+
+}  // namespace
 
 void ClayDesk::apply(const Operation& operation, Progress& progress) {
   cancelStroke();
@@ -77,6 +85,9 @@ void ClayDesk::beginStroke(const HandOperations& hand, Stroke stroke) {
   settleHand();
   hold(hand);
   stroke_ = bench().begin(std::move(stroke));
+  nodesBefore_ = sculptor().field().tree.nodeCount();
+  dabs_ = 0;
+  grown_ = false;
   status_.inStroke = true;
   status_.lastEdit = {};
   status_.lastEditStep = 0;
@@ -84,13 +95,32 @@ void ClayDesk::beginStroke(const HandOperations& hand, Stroke stroke) {
 }
 
 void ClayDesk::extendStroke(std::span<const StrokePoint> points) {
-  if (stroke_) stroke_->extend(points);
+  for (std::size_t n = 0; stroke_ && n < points.size() && !grewEnough(); ++n) {
+    stroke_->extend(points.subspan(n, 1));
+  }
+}
+
+// What a large tool does by accident, far away. Of dabs that are not made yet a tube is expected:
+// a block of it has some 64 cells of surface.
+bool ClayDesk::grewEnough() {
+  if (grown_ || sculptor().action().kind != ActionKind::add) return grown_;
+  const FieldScale& scale = sculptor().field().scale;
+  const glm::dvec3 radii = sculptor().tool().radii / scale.spacing;
+  const auto [smallest, largest] = std::minmax({radii.x, radii.y, radii.z});
+  const double waiting = double(stroke_->plannedDabs() - dabs_) * stroke_->stroke().spacing;
+  const double made = double(sculptor().field().tree.nodeCount()) - double(nodesBefore_);
+  const double expected = made + waiting * smallest * 2 * std::numbers::pi * largest / 64;
+  grown_ = expected > kMostBlocks;
+  if (grown_)
+    note("So much clay at a time is hardly meant: the stroke ends here. Go on with another");
+  return grown_;
 }
 
 bool ClayDesk::dab() {
   if (!stroke_ || givesUp()) return false;
   try {
     if (!stroke_->dab()) return false;
+    ++dabs_;
     show();
   } catch (const std::bad_alloc&) {
     cancelStroke();
@@ -172,6 +202,7 @@ void ClayDesk::replay(const std::filesystem::path& path, Progress& progress) {
   for (std::size_t n = 0; n < recording.operations.size(); ++n) {
     progress.step("replay", double(n) / count);
     apply(recording.operations[n]);
+    if (status_.lastEditStep != 0) unpictured_.push_back(status_.lastEditStep);
   }
 }
 
@@ -259,6 +290,7 @@ void ClayDesk::setStructure(Structure structure) {
 
 bool ClayDesk::settle() {
   if (stroke_ || peek_) return false;
+  keepPartsSoon();
   if (const auto sculpture = std::exchange(unprepared_, nullptr)) {
     sculpture->distance();
     return true;
@@ -281,7 +313,7 @@ bool ClayDesk::settle() {
       rest_ = Rest::pictures;
       return true;
     case Rest::pictures:
-      if (loadPicture() || pictureNext()) return true;
+      if (loadPicture() || pictureNext() || pictureStep()) return true;
       rest_ = Rest::nothing;
       break;
     case Rest::nothing:
@@ -296,7 +328,28 @@ bool ClayDesk::loadPicture() {
   if (pictureless_.empty()) return false;
   const StepNumber step = pictureless_.back();
   pictureless_.pop_back();
-  if (Bytes png = history().thumbnail(step); !png.empty()) out_.pictures[step] = std::move(png);
+  if (Bytes png = history().thumbnail(step); !png.empty()) {
+    out_.pictures[step] = std::move(png);
+  } else if (unpictured_.size() < kMostDrawn) {
+    unpictured_.push_back(step);
+  }
+  return true;
+}
+
+// Of steps that no window saw happen: imported, replayed, made by the command line.
+bool ClayDesk::pictureStep() {
+  if (pictures_ == ShelfPictures::none || unpictured_.empty()) return false;
+  const StepNumber step = unpictured_.front();
+  unpictured_.erase(unpictured_.begin());
+  try {
+    const Clay then = bench().history().fieldAt(step, sculptor().field());
+    Bytes png = thumbnailOf(then, kStepPicture.x, kStepPicture.y);
+    if (png.empty()) return true;
+    out_.pictures[step] = png;
+    keepPicture(step, std::move(png));
+  } catch (const Error&) {
+    // It is no more, or cannot be read.
+  }
   return true;
 }
 

@@ -62,6 +62,7 @@ class ClayDesk {
   // Operations.
   void apply(const Operation& operation, Progress& progress = Progress::none());
   void beginStroke(const HandOperations& hand, Stroke stroke);
+  /// Leaves out points after which the stroke would make absurdly much clay, and says so.
   void extendStroke(std::span<const StrokePoint> points);
   /// The next dab whose place is sure; false when there is none. Where memory ends the stroke is
   /// taken back, with an Error.
@@ -92,7 +93,7 @@ class ClayDesk {
   // Shelves (clay_desk_shelf.cpp).
   /// Lists all tools with the next publication; their pictures follow at rest.
   void listShelf();
-  /// Whether anybody looks at them.
+  /// Whether anybody looks at them, and at pictures of steps that nobody saw happen.
   void setPictures(ShelfPictures pictures) { pictures_ = pictures; }
   void takeTool(const ToolSource& source);
   /// A tool of any place as one file.
@@ -164,18 +165,25 @@ class ClayDesk {
   void tellSupports();
   Keeping keeping() const;
   bool loadPicture();
+  bool pictureStep();
+  void keepPartsSoon();
+  bool grewEnough();
   ClayStatistics count() const;
 
   FileSystem* files_;
   std::unique_ptr<Session> session_;  // never null
   std::unique_ptr<LiveStroke<8>> stroke_;
+  std::size_t nodesBefore_ = 0;  // of the tree, when the stroke began
+  std::int64_t dabs_ = 0;        // made of the stroke
+  bool grown_ = false;           // as far as a stroke may
   std::unique_ptr<Saving> saving_;
   std::unique_ptr<Dresser> dresser_;
   /// The state that nobody has worked on: the first shape of a new document.
   std::optional<StepNumber> begun_;
   struct Peek;
-  std::unique_ptr<Peek> peek_;  // another state, while it is looked at
-  std::vector<StepNumber> pictureless_;
+  std::unique_ptr<Peek> peek_;           // another state, while it is looked at
+  std::vector<StepNumber> pictureless_;  // steps whose picture has not been looked for
+  std::vector<StepNumber> unpictured_;   // and those that have none
   Recording recording_;
   std::string heldTool_, heldAction_, heldClay_;  // operations last told; empty: not known
   std::vector<ShelfCard> cards_;
@@ -193,6 +201,7 @@ class ClayDesk {
   std::map<std::shared_ptr<const Sculpture>, std::shared_ptr<const ToolMesh>> supportMeshes_;
   ClayStatus status_;
   std::uint64_t historyMoment_ = 0;
+  std::chrono::steady_clock::time_point partsKept_;
   Publication out_;
   CellBounds bounds_;  // of all patches
   Structure structure_ = Structure::surface;

@@ -23,6 +23,11 @@ FillOperation firstShape(NewClay kind, double radius) {
   return {primitive};
 }
 
+// Nobody has worked on the first shape of a new document: it is not offered as work.
+bool isOnlyBegun(std::size_t steps, const std::string& lastLabel) {
+  return steps < 2 && lastLabel == "fill";
+}
+
 }  // namespace
 
 ClayDesk::ClayDesk(FileSystem& files) : files_(&files) {
@@ -54,12 +59,17 @@ void ClayDesk::lay(Session session) {
   status_.version = version;
   historyMoment_ = ~std::uint64_t{0};
   pictureless_.clear();
+  unpictured_.clear();
   for (const Step& step : history().steps()) pictureless_.push_back(step.number);
   OpenedDocument opened{session_->parts, session_->findings()};
   const auto saved = history().savedState();
   const bool elsewhere = saved != history().place();
   opened.canGoBack = saved && elsewhere;
-  opened.surprising = opened.findings.recovered && elsewhere && !session_->path().empty();
+  const auto steps = history().steps();
+  const bool neverSaved = !saved && !steps.empty();
+  const bool onlyBegun = neverSaved && isOnlyBegun(steps.size(), steps.back().note.label);
+  opened.surprising =
+      opened.findings.recovered && elsewhere && !onlyBegun && !session_->path().empty();
   out_.opened = std::move(opened);
   for (const std::string& notice : session_->findings().notices) note(notice);
   showAll();
@@ -200,7 +210,7 @@ void ClayDesk::findLeftBehind() {
   for (const fs::path& path : Session::leftBehind(*files_)) {
     const auto glance = glanceAt(historyFolderOf(path), *files_);
     if (!glance) continue;
-    if (glance->steps < 2 && glance->label == "fill") {
+    if (isOnlyBegun(glance->steps, glance->label)) {
       Session::discardLeftBehind(path, *files_);
     } else {
       left.push_back({path, *glance});
@@ -233,9 +243,18 @@ Keeping ClayDesk::keeping() const {
   return keeping;
 }
 
+// Shelf, supports and settings survive a crash too, also where no quiet moment comes.
+void ClayDesk::keepPartsSoon() {
+  const auto now = std::chrono::steady_clock::now();
+  const bool early = now - partsKept_ < std::chrono::seconds(1);
+  if (stroke_ || (early && session_->trouble().empty())) return;
+  partsKept_ = now;
+  session_->keepParts();
+}
+
 void ClayDesk::lookAfter() {
   if (saving_ && saving_->job.finished()) return endSaving();
-  if (!session_->trouble().empty()) session_->keepParts();
+  keepPartsSoon();
   if (!(keeping() == status_.keeping)) tellStatus();
 }
 

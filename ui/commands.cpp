@@ -22,7 +22,7 @@ constexpr auto kCommands = std::to_array<CommandRow>({
      "Puts the scene as it is aside: scene.001.bzt, scene.002.bzt and on.", "Ctrl+Alt+S",
      "Ctrl+Alt+S"},
     {importMesh, file, "import", "Import a mesh…",
-     "Turns a mesh (OBJ, PLY, STL, OFF, GLB) into clay.", "Ctrl+I", "Ctrl+I"},
+     "A new scene: clay of a mesh (OBJ, PLY, STL, OFF, GLB).", "Ctrl+I", "Ctrl+I"},
     {exportMesh, file, "export", "Export a mesh…",
      "Writes the surface as OBJ, PLY, STL, GLB or IV.", "Ctrl+E", "Ctrl+E"},
     {screenshot, file, "screenshot", "Picture of the clay…",

@@ -49,7 +49,9 @@ void FileBrowser::read() {
     std::error_code ignored;
     FileEntry entry{at->path().filename().string(), at->is_directory(ignored), 0};
     if (!hidden_ && entry.name.starts_with(".")) continue;
-    if (entry.folder && entry.name.ends_with(".bzt.history")) continue;  // its scene stands there
+    const bool history =
+        entry.name.ends_with(".bzt.history") || entry.name.ends_with(".bzt.history~");
+    if (entry.folder && history) continue;  // its scene stands there
     if (!entry.folder && !isWanted(entry.name, endings_)) continue;
     if (!entry.folder) entry.bytes = at->file_size(ignored);
     entries_.push_back(std::move(entry));

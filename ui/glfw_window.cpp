@@ -77,21 +77,69 @@ Button buttonOf(int number) {
                                              : Button::middle;
 }
 
-Interface& interfaceOf(GLFWwindow* window) {
-  return *static_cast<Interface*>(glfwGetWindowUserPointer(window));
+// Mouse, pens and pucks. A pen moves the mouse too, without its pressure: those moves are left out.
+class Devices {
+ public:
+  Devices(GLFWwindow* window, Interface& interface)
+      : window_(window), interface_(&interface), pen_(glfwGetX11Window(window)) {}
+
+  Interface& interface() { return *interface_; }
+  void mouseMoved(glm::dvec2 to) {
+    if (!penLeads()) interface_->post(PointerMoved{to, 1});
+  }
+  void pressed(Button button, bool down) {
+    const bool pens = penLeads();
+    penHolds_ = pens && down;
+    if (!pens) {
+      // Under another program's grab the pointer may have moved unseen.
+      double x = 0, y = 0;
+      glfwGetCursorPos(window_, &x, &y);
+      interface_->post(PointerMoved{{x, y}, 1});
+    }
+    interface_->post(ButtonChanged{button, down});
+  }
+
+  void poll() {
+    takePen(Pen::Reach::delivered);
+    for (InputEvent& event : puck_.poll()) interface_->post(std::move(event));
+  }
+  /// How long the loop may sleep without missing them.
+  double patience() const { return puck_.isThere() || pen_.devices() > 0 ? 0.015 : 0.5; }
+
+ private:
+  void takePen(Pen::Reach reach) {
+    for (const PointerMoved& moved : pen_.poll(reach)) {
+      interface_->post(moved);
+      penMoved_ = glfwGetTime();
+    }
+  }
+  bool penLeads() {
+    if (pen_.devices() == 0) return false;
+    takePen(Pen::Reach::sent);
+    return penHolds_ || glfwGetTime() - penMoved_ < kPenStays;
+  }
+
+  static constexpr double kPenStays = 0.25;  // seconds after its last move
+  GLFWwindow* window_;
+  Interface* interface_;
+  Pen pen_;
+  Puck puck_;
+  double penMoved_ = -1;
+  bool penHolds_ = false;  // the button that is down went down under it
+};
+
+Devices& devicesOf(GLFWwindow* window) {
+  return *static_cast<Devices*>(glfwGetWindowUserPointer(window));
 }
+Interface& interfaceOf(GLFWwindow* window) { return devicesOf(window).interface(); }
 
 void listen(GLFWwindow* window) {
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
-    interfaceOf(w).post(PointerMoved{{x, y}, 1});
+    devicesOf(w).mouseMoved({x, y});
   });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int number, int action, int) {
-    if (number > GLFW_MOUSE_BUTTON_MIDDLE) return;
-    // Under another program's grab the pointer may have moved unseen.
-    double x = 0, y = 0;
-    glfwGetCursorPos(w, &x, &y);
-    interfaceOf(w).post(PointerMoved{{x, y}, 1});
-    interfaceOf(w).post(ButtonChanged{buttonOf(number), action == GLFW_PRESS});
+    if (number <= GLFW_MOUSE_BUTTON_MIDDLE)
+      devicesOf(w).pressed(buttonOf(number), action == GLFW_PRESS);
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
     interfaceOf(w).post(WheelTurned{{x, y}});
@@ -175,30 +223,16 @@ void savePicture(Atelier& atelier, glm::dvec2 size) {
   }
 }
 
-// What GLFW does not know: pens and pucks.
-struct Devices {
-  Pen pen;
-  Puck puck;
-  explicit Devices(GLFWwindow* window) : pen(glfwGetX11Window(window)) {}
-
-  void poll(Interface& interface) {
-    for (const PointerMoved& moved : pen.poll()) interface.post(moved);
-    for (InputEvent& event : puck.poll()) interface.post(std::move(event));
-  }
-  /// How long the loop may sleep without missing them.
-  double patience() const { return puck.isThere() || pen.devices() > 0 ? 0.015 : 0.5; }
-};
-
 // Draws while something happens, sleeps otherwise.
 class Loop {
  public:
-  Loop(GLFWwindow* window, Atelier& atelier, Interface& interface, Canvas& canvas)
+  Loop(GLFWwindow* window, Atelier& atelier, Devices& devices, Canvas& canvas)
       : window_(window),
         atelier_(atelier),
-        interface_(interface),
+        interface_(devices.interface()),
         canvas_(canvas),
         state_(window),
-        devices_(window) {}
+        devices_(devices) {}
 
   void run() {
     while (!atelier_.wantsToClose()) {
@@ -224,7 +258,7 @@ class Loop {
     if (lively_ > 0 && start - lastStart_ < kShortestFrame) {
       glfwWaitEventsTimeout(kShortestFrame - (start - lastStart_));
     }
-    devices_.poll(interface_);
+    devices_.poll();
   }
 
   bool isWorthAFrame() {
@@ -255,7 +289,7 @@ class Loop {
   Interface& interface_;
   Canvas& canvas_;
   WindowState state_;
-  Devices devices_;
+  Devices& devices_;
   int lively_ = 3;
   bool settled_ = false, refine_ = false, speaking_ = false;
   double lastStart_ = -1;
@@ -280,10 +314,11 @@ void runWindow(const WindowOptions& given) {
   ui::Interface interface(atelier);
   ui::Canvas canvas(interface, atelier);
   atelier.thumbnail = [&canvas] { return canvas.thumbnail(); };
-  glfwSetWindowUserPointer(window.get(), &interface);
+  ui::Devices devices(window.get(), interface);
+  glfwSetWindowUserPointer(window.get(), &devices);
   ui::listen(window.get());
   ui::shareClipboard(window.get());
-  ui::Loop(window.get(), atelier, interface, canvas).run();
+  ui::Loop(window.get(), atelier, devices, canvas).run();
 }
 
 }  // namespace bozzetto

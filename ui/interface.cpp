@@ -186,7 +186,7 @@ Publication Interface::frame(glm::dvec2 size, double now) {
   if (scale != builtScale_) {
     useTheme(scale);
     builtScale_ = scale;
-    ++fontsVersion_;
+    if (fontsChanged) fontsChanged();
   }
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {float(size.x), float(size.y)};

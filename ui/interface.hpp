@@ -19,8 +19,8 @@ class Interface {
   /// Of the interface, less where the window is too small for it; fonts are built anew before the
   /// next frame when it changes.
   void setScale(float scale);
-  /// Grows when the fonts have changed: the texture is to be made anew.
-  int fontsVersion() const { return fontsVersion_; }
+  /// Makes the fonts' texture, before the first frame that is built with them.
+  std::function<void()> fontsChanged;
 
   void post(InputEvent event) { events_.push_back(std::move(event)); }
   /// Events are left for the next frame: draw one more soon.
@@ -52,7 +52,6 @@ class Interface {
   std::deque<InputEvent> events_;
   Layout layout_;
   float scale_ = 1, builtScale_ = 0;
-  int fontsVersion_ = 0;
   double last_ = 0;
   // What ImGui has been told in this frame: it sees one change of a button a frame.
   bool movedNow_ = false, buttonNow_[3] = {};

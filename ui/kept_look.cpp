@@ -129,6 +129,15 @@ void takeStudio(const Json& json, Studio& studio) {
   }
 }
 
+// Nothing where it is gone from where it was: the place stays, for when it comes back.
+std::shared_ptr<const Image> imageFrom(const std::string& path) {
+  try {
+    return std::make_shared<const Image>(readPng(path));
+  } catch (const Error&) {
+    return nullptr;
+  }
+}
+
 Json jsonOf(const Reference& reference) {
   const ReferencePicture& picture = reference.picture;
   return {{"from", reference.from},          {"centre", arrayOf(picture.centre)},
@@ -145,12 +154,16 @@ void takeReference(const Json& json, std::vector<Reference>& all) {
   takeVector(json, "up", picture.up);
   takeWithin(json, "opacity", 0.f, 1.f, picture.opacity);
   take(json, "behind", picture.behind);
-  try {
-    picture.image = std::make_shared<const Image>(readPng(reference.from));
-    all.push_back(std::move(reference));
-  } catch (const Error&) {
-    // The picture is gone from where it was.
-  }
+  if (reference.from.empty()) return;
+  picture.image = imageFrom(reference.from);
+  all.push_back(std::move(reference));
+}
+
+void takeMatcap(const Json& json, ViewOptions& options) {
+  options.matcapFrom.clear();
+  options.look.matcapImage.reset();
+  take(json, "matcap_from", options.matcapFrom);
+  if (!options.matcapFrom.empty()) options.look.matcapImage = imageFrom(options.matcapFrom);
 }
 
 }  // namespace
@@ -168,6 +181,7 @@ std::string lookText(const ViewOptions& options) {
             {"paint", look.paint},
             {"studio", jsonOf(look.studio)},
             {"references", Json::array()}};
+  if (!options.matcapFrom.empty()) json["matcap_from"] = options.matcapFrom;
   for (const Reference& each : options.references) json["references"].push_back(jsonOf(each));
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -179,6 +193,7 @@ void takeLook(const std::string& text, ViewOptions& options) {
   takeNamed(json, "mode", kModes, look.mode);
   takeNamed(json, "metal", kMetals, look.metal);
   takeNamed(json, "matcap", kMatcaps, look.matcap);
+  takeMatcap(json, options);
   bool flat = look.shading == Shading::flat;
   take(json, "flat", flat);
   look.shading = flat ? Shading::flat : Shading::smooth;

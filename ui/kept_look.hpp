@@ -13,7 +13,8 @@ inline constexpr const char* kLookSetting = "look";
 
 /// JSON. Pictures by the path they came from.
 std::string lookText(const ViewOptions& options);
-/// Takes what it understands; pictures that cannot be read any more are left out.
+/// Takes what it understands; pictures that cannot be read any more have no image, and keep path
+/// and place.
 void takeLook(const std::string& text, ViewOptions& options);
 
 }  // namespace bozzetto::ui

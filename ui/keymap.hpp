@@ -17,6 +17,10 @@ class Keymap {
   bool inverts(Modifiers held) const;
   /// Shift smooths in both.
   bool smooths(Modifiers held) const { return held.shift && !held.ctrl && !held.alt; }
+  /// ZBrush: Ctrl holds clay (a mask there).
+  bool holds(Modifiers held) const {
+    return profile_ == KeyProfile::zbrush && held.ctrl && !held.alt && !held.shift;
+  }
   /// The name of the key that inverts.
   std::string_view invertName() const { return profile_ == KeyProfile::blender ? "Ctrl" : "Alt"; }
 

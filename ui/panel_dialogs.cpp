@@ -74,8 +74,10 @@ std::string suggestedName(const Atelier& atelier, const Purpose& purpose) {
 }
 
 void begin(FileDialog& state, const Atelier& atelier, const Purpose& purpose) {
+  // What is written goes beside the scene, wherever something was read last.
   fs::path folder = atelier.settings.folder;
-  if (folder.empty() && !atelier.path().empty()) {
+  const bool writes = *purpose.ending != 0;
+  if ((writes || folder.empty()) && !atelier.path().empty()) {
     folder = fs::absolute(atelier.path()).parent_path();
   }
   state.open = purpose.dialog;
@@ -126,7 +128,11 @@ void perform(Atelier& atelier, const FileDialog& state, const fs::path& path) {
 
 // Enter, a double click or the button: goes into folders, asks before it replaces.
 void accept(Atelier& atelier, FileDialog& state, const Purpose& purpose) {
-  if (state.name.empty()) return;
+  if (state.name.empty()) {
+    atelier.say(Message::Kind::note, "Type or choose a name first");
+    state.focusName = true;
+    return;
+  }
   fs::path path = state.browser.resolve(state.name);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {

@@ -5,23 +5,32 @@
 namespace bozzetto::ui {
 namespace {
 
-constexpr const char* kMouse[][2] = {
-    {"Left button", "the tool, on clay or in the air"},
-    {"Ctrl or Alt + left", "the tool's opposite (by profile)"},
-    {"Shift + left", "smooths"},
-    {"Right button", "size up and down, strength left and right; ZBrush-like: orbit"},
-    {"Middle button", "orbit; with Shift pan, with Ctrl zoom"},
-    {"Wheel", "zoom to the pointer; with Shift size, with Ctrl the depth in the air"},
+struct MouseRow {
+  const char* button;
+  const char* blender;
+  const char* zbrush;
+};
+constexpr MouseRow kMouse[] = {
+    {"Left button", "the tool, on clay or in the air", "the tool on clay; orbit beside it"},
+    {"Ctrl + left", "the tool's opposite", "holds clay, so that other tools leave it"},
+    {"Alt + left", "orbit", "the tool's opposite"},
+    {"Shift + left", "smooths", "smooths"},
+    {"Right button", "size up and down, strength left and right",
+     "orbit; with Alt pan, with Ctrl zoom"},
+    {"Middle button", "orbit; with Shift pan, with Ctrl zoom",
+     "orbit; with Shift pan, with Ctrl zoom"},
+    {"Wheel", "zoom to the pointer; with Shift size, with Ctrl the depth in the air",
+     "zoom to the pointer; with Shift size, with Ctrl the depth in the air"},
 };
 
-void mouseTable() {
-  for (const auto& row : kMouse) {
+void mouseTable(KeyProfile profile) {
+  for (const MouseRow& row : kMouse) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(row[0]);
+    ImGui::TextUnformatted(row.button);
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::dim));
-    ImGui::TextWrapped("%s", row[1]);
+    ImGui::TextWrapped("%s", profile == KeyProfile::blender ? row.blender : row.zbrush);
     ImGui::PopStyleColor();
   }
 }
@@ -75,11 +84,11 @@ void drawHelp(const PanelContext& context) {
   if (!beginModal("Keys and help", {px(720), px(620)}, &open)) return;
   int profile = int(atelier.keymap.profile());
   if (choice("##profile", profile, {"Like Blender", "Like ZBrush"}, "Two sets of keys.")) {
-    atelier.keymap.setProfile(KeyProfile(profile));
+    atelier.setProfile(KeyProfile(profile));
   }
   ImGui::BeginChild("keys", {0, -px(40)});
   if (ImGui::BeginTable("table", 2, ImGuiTableFlags_RowBg)) {
-    mouseTable();
+    mouseTable(atelier.keymap.profile());
     keyTables(atelier);
     ImGui::EndTable();
   }

@@ -1,7 +1,9 @@
 // The panel on the right: the tool in hand first, then how it is used, then all that is looked at.
 #include <fmt/format.h>
+#include <imgui_stdlib.h>
 
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "ui/icons.hpp"
@@ -109,6 +111,19 @@ void combineButtons(Atelier& atelier) {
   }
 }
 
+// The middle angle of three is a quarter turn at most.
+void turns(glm::dquat& rotation) {
+  glm::dvec3 angles = glm::degrees(glm::eulerAngles(rotation));
+  const char* names[] = {"Turn about x", "Turn about y", "Turn about z"};
+  bool turned = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double most = axis == 1 ? 90 : 180;
+    turned |= slider(names[axis], angles[axis], {-most, most, "°", 1, 0},
+                     "How the tool is turned against what it stands along. Ctrl+F drags it.");
+  }
+  if (turned) rotation = glm::normalize(glm::dquat(glm::radians(angles)));
+}
+
 }  // namespace
 
 void toolSection(Atelier& atelier) {
@@ -119,12 +134,18 @@ void toolSection(Atelier& atelier) {
   const double cell = atelier.status().scale.spacing;
   Slide size{kSmallestToolCells * cell, 128 * cell, "mm", 1, sculpt.size < 10 ? 2 : 1, true};
   size.pen = sculpt.pressureSize;
-  slider("Size", sculpt.size, size, "The tool's limit of influence. F drags it, [ and ] step it.");
+  const auto key = [&](Command command) { return atelier.keymap.chordText(command); };
+  const std::string sizeTip =
+      fmt::format("The tool's limit of influence. {} drags it, {} and {} step it.",
+                  key(Command::dragSize), key(Command::smaller), key(Command::larger));
+  slider("Size", sculpt.size, size, sizeTip.c_str());
   if (row.usesStrength || sculpt.recall) {
     Slide strength{0.01, 1, "%", 100, 0};
     strength.pen = sculpt.pressureStrength;
-    slider("Strength", sculpt.recall ? sculpt.recallStrength : sculpt.strengthOf(sculpt.action),
-           strength, "How much every dab does. Shift+F drags it.");
+    slider(
+        "Strength", sculpt.recall ? sculpt.recallStrength : sculpt.strengthOf(sculpt.action),
+        strength,
+        fmt::format("How much every dab does. {} drags it.", key(Command::dragStrength)).c_str());
   }
   slider("Spacing", sculpt.spacing, {0.05, 8, "%", 100, 0, true},
          "Between dabs, as part of the tool's smallest radius.");
@@ -143,7 +164,7 @@ void toolSection(Atelier& atelier) {
 void shapeSection(Atelier& atelier) {
   SculptState& sculpt = atelier.sculpt;
   int shape = int(sculpt.shape);
-  if (choice("##shape", shape, {"Ball", "Box", "Tube", "Capsule"}, "The tool's shape.")) {
+  if (choice("##shape", shape, {"Ball", "Box", "Cylinder", "Capsule"}, "The tool's shape.")) {
     sculpt.drop();
     sculpt.shape = Shape(shape);
   }
@@ -154,15 +175,26 @@ void shapeSection(Atelier& atelier) {
   }
   int alignment = int(sculpt.alignment);
   if (choice("Stands along", alignment, {"World", "Surface", "View"},
-             "Along what the tool's height stands.")) {
+             "Which way the tool's long side points: up, out of the clay, or at you.")) {
     sculpt.alignment = Alignment(alignment);
   }
+  turns(sculpt.rotation);
   slider("Lift", sculpt.depth, {-1, 1, "%", 100, 0},
          "The tool's middle over the surface, as part of its size.");
   if (button("Straighten", {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::plain,
              "Forgets how the tool was turned.")) {
     sculpt.rotation = {1, 0, 0, 0};
   }
+}
+
+// Half a colour is none: the old one stays. #rgb is read when Enter says that it is whole.
+void colourText(Colour& colour) {
+  std::string text = toText(colour);
+  const bool entered = ImGui::InputText(
+      "##hex", &text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  std::erase_if(text, [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) == 0; });
+  if (entered && text.size() == 3) text = {text[0], text[0], text[1], text[1], text[2], text[2]};
+  if (text.size() == 6) colour = parseColour("#" + text);
 }
 
 void colourSection(Atelier& atelier) {
@@ -177,10 +209,13 @@ void colourSection(Atelier& atelier) {
     ImGui::PopID();
   }
   ImGui::PopStyleVar();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - px(84) - ImGui::GetFrameHeight() -
+                          gap);
+  colourText(sculpt.colour);
+  ImGui::SameLine(0, gap);
   float rgb[3] = {float(sculpt.colour.r) / 255, float(sculpt.colour.g) / 255,
                   float(sculpt.colour.b) / 255};
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - px(84));
-  if (ImGui::ColorEdit3("##colour", rgb, ImGuiColorEditFlags_DisplayHex)) {
+  if (ImGui::ColorEdit3("##colour", rgb, ImGuiColorEditFlags_NoInputs)) {
     const auto byte = [](float v) { return std::uint8_t(std::lround(v * 255)); };
     sculpt.colour = {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
   }

@@ -121,6 +121,7 @@ std::vector<Hint> restingHints(const Atelier& atelier) {
         recalls ? fmt::format("Bring back step {}", *sculpt.recall) : verb(atelier.actionNow());
     hints.push_back({"", MousePart::left, turns ? "Orbit" : does});
   }
+  if (held.none() && !blender) hints.push_back({"Ctrl", MousePart::left, verb(ActionKind::hold)});
   if (held.none()) {
     const ActionKind inverse = rowOf(sculpt.action).inverse;
     if (inverse != sculpt.action) {

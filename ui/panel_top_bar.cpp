@@ -177,6 +177,8 @@ void drawTopBar(const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(4), (high - fonts().regular->FontSize) / 2});
   ImGui::Begin("top", nullptr, kFixed | ImGuiWindowFlags_MenuBar);
   ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled({0, float(at.high.y) - 1}, {float(at.high.x), float(at.high.y)},
+                      ink(tint::seam));
   const float middle = float(at.centre().y);
   if (ImGui::BeginMenuBar()) {
     wordMark(list, context.pictures.balls[0], middle);

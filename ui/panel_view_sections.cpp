@@ -59,6 +59,7 @@ void lookSection(Atelier& atelier, const UiPictures& pictures) {
       look.mode = card.mode;
       look.matcap = card.matcap;
       look.matcapImage.reset();
+      atelier.options.matcapFrom.clear();
       atelier.touch();
     }
   }
@@ -259,6 +260,10 @@ void referenceSection(Atelier& atelier) {
     ReferencePicture& picture = references[n].picture;
     ImGui::PushID(int(n));
     ImGui::TextUnformatted(std::filesystem::path(references[n].from).filename().c_str());
+    if (!picture.image && button("Not found: choose again…", {ImGui::GetContentRegionAvail().x, 0},
+                                 ButtonKind::plain, references[n].from.c_str())) {
+      atelier.run(Command::reference);
+    }
     bool moves = atelier.movingReference == n;
     if (toggle("Move it", moves, "Drag it in the view; Shift+wheel: size, Ctrl+wheel: depth.")) {
       atelier.movingReference = moves ? std::optional(n) : std::nullopt;

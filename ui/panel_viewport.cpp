@@ -19,13 +19,11 @@ void shades(ImDrawList* list, const Rect& at) {
   list->AddRectFilledMultiColor({high.x - px(8), low.y}, high, none, side, side, none);
 }
 
-void seams(const Layout& layout) {
-  ImDrawList* list = ImGui::GetForegroundDrawList();
-  const ImU32 colour = ink(tint::seam);
-  const Rect& at = layout.viewport;
-  list->AddLine({0, float(at.low.y)}, {float(layout.topBar.high.x), float(at.low.y)}, colour);
-  list->AddLine(corner(at.low), {float(at.low.x), float(at.high.y)}, colour);
-  list->AddLine({float(at.high.x), float(at.low.y)}, corner(at.high), colour);
+// The viewport's own pixels: what lies over it covers them. The top bar draws its own.
+void seams(ImDrawList* list, const Rect& at) {
+  const ImVec2 low = corner(at.low), high = corner(at.high);
+  list->AddRectFilled(low, {low.x + 1, high.y}, ink(tint::seam));
+  list->AddRectFilled({high.x - 1, low.y}, high, ink(tint::seam));
 }
 
 std::string viewName(const ViewState& view) {
@@ -99,7 +97,7 @@ void drawViewportMarks(const PanelContext& context) {
   const Rect& at = context.layout.viewport;
   if (context.layout.panels) {
     shades(list, at);
-    seams(context.layout);
+    seams(list, at);
   }
   label(list, context.atelier, at);
   drawSupportKnobs(context);
@@ -148,6 +146,17 @@ void drawAxisBall(const PanelContext& context) {
   ImGui::End();
 }
 
+namespace {
+
+// What is over at once needs no box.
+constexpr double kShortWork = 0.3;
+struct Since {
+  const LongJob* job = nullptr;
+  double time = 0;
+};
+
+}  // namespace
+
 void drawMessages(const PanelContext& context) {
   const Rect& at = context.layout.viewport;
   ImDrawList* list = ImGui::GetForegroundDrawList();
@@ -166,8 +175,12 @@ void drawMessages(const PanelContext& context) {
 }
 
 void drawProgress(const PanelContext& context) {
-  const auto& job = context.atelier.job();
-  if (!job) return;
+  const auto job = context.atelier.job();
+  static Since begun;
+  if (begun.job != job.get()) begun = {job.get(), context.atelier.now()};
+  if (!job || context.atelier.now() - begun.time < kShortWork) return;
+  const std::size_t waiting = context.atelier.jobsWaiting();
+  const std::string more = waiting == 0 ? "" : fmt::format(" (and {} more)", waiting);
   const Rect& at = context.layout.viewport;
   const float width = px(340), height = px(84);
   ImGui::SetNextWindowPos({float(at.centre().x) - width / 2, float(at.high.y) - height - px(96)});
@@ -178,7 +191,7 @@ void drawProgress(const PanelContext& context) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 start = ImGui::GetCursorScreenPos();
   drawText(list, fonts().semiBold, start, ink(tint::strong),
-           fitted(fonts().semiBold, job->title(), width - px(110)));
+           fitted(fonts().semiBold, job->title() + more, width - px(110)));
   ImGui::SetCursorScreenPos({start.x + width - px(28 + 72), start.y - px(4)});
   if (button("Cancel", {px(72), px(26)})) job->cancel();
   const float left = start.x, right = start.x + width - px(28), y = start.y + px(44);

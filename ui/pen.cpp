@@ -28,17 +28,35 @@ bool findPressure(Display* display, const XIDeviceInfo& device, Valuator& found)
   return false;
 }
 
-void listenTo(Display* display, Window window, int device) {
+void listenTo(Display* display, Window window, int device, int event) {
   std::array<unsigned char, XIMaskLen(XI_LASTEVENT)> bits{};
-  XISetMask(bits.data(), XI_Motion);
+  XISetMask(bits.data(), event);
   XIEventMask mask{device, int(bits.size()), bits.data()};
   XISelectEvents(display, window, &mask, 1);
 }
+
+// A pen may be unplugged while it is asked about: no reason to end, as Xlib would.
+class Lenient {
+ public:
+  explicit Lenient(Display* display)
+      : display_(display), before_(XSetErrorHandler([](Display*, XErrorEvent*) { return 0; })) {}
+  ~Lenient() {
+    XSync(display_, False);
+    XSetErrorHandler(before_);
+  }
+  Lenient(const Lenient&) = delete;
+  Lenient& operator=(const Lenient&) = delete;
+
+ private:
+  Display* display_;
+  XErrorHandler before_;
+};
 
 }  // namespace
 
 struct Pen::Impl {
   Display* display = nullptr;
+  Window window = 0;
   int opcode = 0;
   std::map<int, Valuator> pressure;  // by device
   std::map<int, double> last;        // valuators are told only when they change
@@ -47,17 +65,27 @@ struct Pen::Impl {
     if (display) XCloseDisplay(display);
   }
 
-  void findPens(Window window) {
+  void findPens() {
+    const Lenient lenient(display);
+    pressure.clear();
     int count = 0;
     XIDeviceInfo* devices = XIQueryDevice(display, XIAllDevices, &count);
+    if (devices == nullptr) return;
     for (int n = 0; n < count; ++n) {
       Valuator valuator;
       if (devices[n].use != XISlavePointer) continue;
       if (!findPressure(display, devices[n], valuator)) continue;
       pressure[devices[n].deviceid] = valuator;
-      listenTo(display, window, devices[n].deviceid);
+      listenTo(display, window, devices[n].deviceid, XI_Motion);
     }
     XIFreeDeviceInfo(devices);
+  }
+
+  void take(const XGenericEventCookie& cookie, std::vector<PointerMoved>& moves) {
+    if (cookie.evtype == XI_HierarchyChanged) return findPens();
+    if (cookie.evtype != XI_Motion) return;
+    const auto& event = *static_cast<const XIDeviceEvent*>(cookie.data);
+    if (pressure.contains(event.deviceid)) moves.push_back(moved(event));
   }
 
   PointerMoved moved(const XIDeviceEvent& event) {
@@ -76,32 +104,35 @@ struct Pen::Impl {
 
 Pen::Pen(unsigned long window) : impl_(std::make_unique<Impl>()) {
   impl_->display = XOpenDisplay(nullptr);
+  impl_->window = window;
   if (!impl_->display) return;
   int event = 0, error = 0, major = 2, minor = 2;
   const bool has =
       XQueryExtension(impl_->display, "XInputExtension", &impl_->opcode, &event, &error) &&
       XIQueryVersion(impl_->display, &major, &minor) == 0;
-  if (has) impl_->findPens(window);
-  XFlush(impl_->display);
+  if (!has) {
+    impl_->opcode = 0;
+    return;
+  }
+  listenTo(impl_->display, DefaultRootWindow(impl_->display), XIAllDevices, XI_HierarchyChanged);
+  impl_->findPens();
 }
 
 Pen::~Pen() = default;
 
 int Pen::devices() const { return int(impl_->pressure.size()); }
 
-std::vector<PointerMoved> Pen::poll() {
+std::vector<PointerMoved> Pen::poll(Reach reach) {
   std::vector<PointerMoved> moves;
-  if (impl_->pressure.empty()) return moves;
+  if (impl_->opcode == 0) return moves;
+  if (reach == Reach::sent) XSync(impl_->display, False);
   while (XPending(impl_->display) > 0) {
     XEvent event;
     XNextEvent(impl_->display, &event);
     XGenericEventCookie& cookie = event.xcookie;
     if (cookie.type != GenericEvent || cookie.extension != impl_->opcode) continue;
     if (!XGetEventData(impl_->display, &cookie)) continue;
-    const auto& moved = *static_cast<const XIDeviceEvent*>(cookie.data);
-    if (cookie.evtype == XI_Motion && impl_->pressure.contains(moved.deviceid)) {
-      moves.push_back(impl_->moved(moved));
-    }
+    impl_->take(cookie, moves);
     XFreeEventData(impl_->display, &cookie);
   }
   return moves;

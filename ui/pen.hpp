@@ -16,10 +16,12 @@ class Pen {
   Pen(const Pen&) = delete;
   Pen& operator=(const Pen&) = delete;
 
-  /// How many devices with pressure there are.
+  /// How many devices with pressure there are. They may come and go.
   int devices() const;
+  /// `sent`: also what the X server has not delivered yet, for a round trip to it.
+  enum class Reach { delivered, sent };
   /// The pen's moves since the last call, with pressure, in window pixels.
-  std::vector<PointerMoved> poll();
+  std::vector<PointerMoved> poll(Reach reach = Reach::delivered);
 
  private:
   struct Impl;

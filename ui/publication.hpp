@@ -49,6 +49,9 @@ struct Keeping {
   friend bool operator==(const Keeping&, const Keeping&) = default;
 };
 
+/// Of a picture of a step, pixels.
+constexpr glm::ivec2 kStepPicture{116, 92};
+
 /// What the window knows of the clay: small values, copied with every publication.
 struct ClayStatus {
   FieldScale scale;

@@ -146,6 +146,7 @@ Stroke SculptState::strokeFrom(const StrokePoint& first) const {
 
 ActionKind actionFor(ActionKind chosen, Held held) {
   if (held == Held::smooth) return smooth;
+  if (held == Held::hold) return ActionKind::hold;
   return held == Held::invert ? rowOf(chosen).inverse : chosen;
 }
 

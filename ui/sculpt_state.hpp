@@ -121,7 +121,7 @@ struct SculptState {
 };
 
 /// The action that a stroke does with these keys held.
-enum class Held { nothing, invert, smooth };
+enum class Held { nothing, invert, smooth, hold };
 ActionKind actionFor(ActionKind chosen, Held held);
 
 /// Clay colours to choose from.

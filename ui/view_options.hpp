@@ -19,6 +19,7 @@ struct Reference {
 
 struct ViewOptions {
   Look look;
+  std::string matcapFrom;  ///< the file of look.matcapImage
   Stereo stereo;
   Structure structure = Structure::surface;
   ToolDisplay tool = ToolDisplay::transparent;

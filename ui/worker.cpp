@@ -53,6 +53,7 @@ ClayWorker::~ClayWorker() {
   }
   work_.notify_one();
   thread_.join();
+  for (const auto& [job, thread] : beside_) job->cancel();
 }
 
 void ClayWorker::post(Task task) {
@@ -63,18 +64,34 @@ void ClayWorker::post(Task task) {
   work_.notify_one();
 }
 
-std::shared_ptr<LongJob> ClayWorker::start(std::string title, Work work) {
-  auto job = std::make_shared<LongJob>(std::move(title));
+std::shared_ptr<LongJob> ClayWorker::start(std::string title, Work work, Brings brings) {
+  auto job = std::make_shared<LongJob>(std::move(title), brings);
   {
     const std::lock_guard lock(mutex_);
     job_ = job;
   }
-  post([job, work = std::move(work)](ClayDesk& desk) {
+  post([this, job, work = std::move(work)](ClayDesk& desk) {
     const std::string error = errorOf([&] { work(desk, *job); });
     for (std::string& text : job->takeNotes()) desk.note(std::move(text));
     if (!error.empty()) desk.fail(error);
     job->failed_ = !error.empty() || job->isCancelled();
-    job->over_ = true;
+    done_ = job;
+  });
+  return job;
+}
+
+std::shared_ptr<LongJob> ClayWorker::startBeside(std::string title,
+                                                 std::function<Beside(ClayDesk&)> prepare) {
+  auto job = std::make_shared<LongJob>(std::move(title), Brings::work);
+  post([this, job, prepare = std::move(prepare)](ClayDesk& desk) {
+    const auto finished = [](const auto& each) { return each.second.finished(); };
+    if (std::ranges::all_of(beside_, finished)) beside_.clear();
+    beside_.emplace_back(job, Background([this, job, work = prepare(desk)] {
+                           job->error_ = errorOf([&] { work(*job); });
+                           job->failed_ = !job->error_.empty() || job->isCancelled();
+                           job->over_ = true;
+                           wake_();
+                         }));
   });
   return job;
 }
@@ -91,6 +108,11 @@ Publication ClayWorker::take() {
   const std::lock_guard lock(mutex_);
   news_ = false;
   return std::exchange(ready_, {});
+}
+
+bool ClayWorker::hasTasks() const {
+  const std::lock_guard lock(mutex_);
+  return !tasks_.empty() || working_;
 }
 
 bool ClayWorker::isIdle() const {
@@ -143,9 +165,20 @@ std::optional<ClayWorker::Task> ClayWorker::next(const ClayDesk& desk) {
   if (tasks_.empty()) return std::nullopt;
   Task task = std::move(tasks_.front());
   tasks_.pop_front();
-  busy_ = true;
+  busy_ = working_ = true;
   resting_ = false;
   return task;
+}
+
+// After its publication: who sees the end can take what came of it.
+void ClayWorker::endTask() {
+  {
+    const std::lock_guard lock(mutex_);
+    working_ = false;
+  }
+  if (!done_) return;
+  std::exchange(done_, nullptr)->over_ = true;
+  wake_();
 }
 
 void ClayWorker::run() {
@@ -165,6 +198,7 @@ void ClayWorker::run() {
     if (!error.empty()) desk.fail(error);
     desk.lookAfter();
     publish(desk);
+    endTask();
     shown = Clock::now();
     while (rest(desk)) {
     }

@@ -7,7 +7,6 @@
 namespace bozzetto {
 namespace {
 
-constexpr int kPixels = 256;
 // A surface block has some 64 cubes in sight: more blocks than these show no more in so few pixels.
 constexpr std::size_t kEnoughNodes = 4000;
 
@@ -65,14 +64,15 @@ Clay smallEnough(const Clay& clay) {
 
 }  // namespace
 
-Bytes thumbnailOf(const Clay& clay) {
+Bytes thumbnailOf(const Clay& clay, int width, int height) {
   if (clay.tree.empty()) return {};
   try {
     const Clay small = smallEnough(clay);
     Surface<8> surface;
     surface.rebuild(small);
     PictureOptions options;
-    options.width = options.height = kPixels;
+    options.width = width;
+    options.height = height;
     options.slices = 1;
     options.look.detail = Detail::baked;
     return encodePng(renderPicture(surface, small, options), PngEffort::quick);

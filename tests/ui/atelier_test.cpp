@@ -66,6 +66,39 @@ TEST_F(Null, ctrlInvertsAndShiftSmooths) {
   EXPECT_EQ(atelier_.actionNow(), ActionKind::add);
 }
 
+// Left and right button with keys held, as somebody expects who comes from there.
+TEST_F(Null, likeZBrush) {
+  atelier_.setProfile(KeyProfile::zbrush);
+  const glm::dvec2 beside = interface_.layout().viewport.low + glm::dvec2(40, 200);
+  const auto dragged = [&](KeyCode with, glm::dvec2 from, Button button) {
+    const ViewState before = atelier_.view;
+    if (with != KeyCode::none) post(KeyChanged{with, true, false});
+    settle();
+    drag(from, from + glm::dvec2(50, 30), button);
+    if (with != KeyCode::none) post(KeyChanged{with, false, false});
+    settle();
+    return before;
+  };
+  const std::size_t done = steps();
+  EXPECT_NE(dragged(KeyCode::none, beside, Button::left).worldFromView,
+            atelier_.view.worldFromView);
+  EXPECT_NE(dragged(KeyCode::none, middle(), Button::right).worldFromView,
+            atelier_.view.worldFromView);
+  ViewState before = dragged(KeyCode::leftAlt, middle(), Button::right);
+  EXPECT_EQ(before.worldFromView, atelier_.view.worldFromView);
+  EXPECT_NE(before.target, atelier_.view.target) << "pan";
+  before = dragged(KeyCode::leftControl, middle(), Button::right);
+  EXPECT_EQ(before.worldFromView, atelier_.view.worldFromView);
+  EXPECT_NE(before.distance, atelier_.view.distance) << "zoom";
+  EXPECT_EQ(steps(), done);
+  const double mass = this->mass();
+  dragged(KeyCode::leftControl, middle(), Button::left);
+  EXPECT_EQ(steps(), done + 1);
+  EXPECT_EQ(this->mass(), mass) << "held, not added";
+  dragged(KeyCode::leftAlt, middle() + glm::dvec2(0, 60), Button::left);
+  EXPECT_LT(this->mass(), mass);
+}
+
 TEST_F(Null, undoAndRedoByKeys) {
   const double before = mass();
   drag(middle(), middle() + glm::dvec2(60, 20));

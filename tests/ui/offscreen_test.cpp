@@ -1,5 +1,6 @@
 // The whole window drawn without a display: what is seen, and what it costs.
 #include <cstdlib>
+#include <fstream>
 
 #include "ui/offscreen_window.hpp"
 
@@ -82,6 +83,29 @@ TEST_F(Drawn, picturesGoWithTheirDocument) {
   atelier_.run(Command::newBlock);
   EXPECT_NO_THROW(rest());
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+// Nobody saw these happen.
+TEST_F(Drawn, replayedStepsHavePictures) {
+  const testing::Folder folder;
+  const std::filesystem::path path = folder / "three.jsonl";
+  std::ofstream(path) << R"({"bozzetto":"recording","version":1}
+{"op":"fill","shape":"ellipsoid","radii":[9,9,9]}
+{"op":"fill","shape":"box","center":[9,0,0],"radii":[5,5,5]}
+{"op":"fill","shape":"ellipsoid","center":[0,9,0],"radii":[5,5,5]}
+)";
+  atelier_.thumbnail = [this] { return canvas_.thumbnail(); };
+  atelier_.worker().post([](ClayDesk& desk) { desk.startNew(NewClay::empty); });
+  settle();
+  atelier_.replay(path);
+  rest();
+  for (StepNumber step = 1; step <= 3; ++step)
+    EXPECT_TRUE(interface_.pictures.steps.contains(step)) << step;
+  atelier_.worker().post([](ClayDesk& desk) {
+    for (StepNumber step = 1; step <= 3; ++step)
+      EXPECT_FALSE(desk.sculptor().history().thumbnail(step).empty()) << step;
+  });
+  settle();
 }
 
 }  // namespace

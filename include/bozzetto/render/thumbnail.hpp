@@ -5,8 +5,8 @@
 
 namespace bozzetto {
 
-/// A PNG of 256 × 256 pixels; empty where there is no clay or no OpenGL off-screen. Large clay is
+/// A PNG; empty where there is no clay or no OpenGL off-screen. Large clay is
 /// shown by a coarser copy of it. Makes its own context: none is current afterwards.
-Bytes thumbnailOf(const Clay& clay);
+Bytes thumbnailOf(const Clay& clay, int width = 256, int height = 256);
 
 }  // namespace bozzetto
