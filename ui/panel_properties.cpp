@@ -1,5 +1,6 @@
 // The panel on the right: the tool in hand first, then how it is used, then all that is looked at.
 #include <fmt/format.h>
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <array>

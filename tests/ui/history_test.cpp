@@ -148,11 +148,13 @@ TEST_F(InFolder, aBallThatNobodyTouchedIsNoWork) {
     NullWindow window;
     EXPECT_EQ(window.atelier_.dialog, Dialog::none);
     window.atelier_.askToClose();
+    window.settle();
   }
   EXPECT_TRUE(Session::leftBehind().empty());
   {
     NullWindow window(scene_);
     window.atelier_.askToClose();
+    window.settle();
   }
   EXPECT_FALSE(fs::exists(historyFolderOf(scene_)));
 }
