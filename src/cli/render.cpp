@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bozzetto/field/smoothed.hpp"
 #include "bozzetto/render/picture.hpp"
 #include "bozzetto/render/png.hpp"
 #include "bozzetto/scene/scene_file.hpp"
@@ -18,7 +19,7 @@ struct Arguments {
   std::string environment = "studio", stereo = "off", structure = "surface", lights = "scene";
   std::optional<double> yaw, pitch;  // degrees
   double zoom = 1, turn = 0;
-  bool orthographic = false, flat = false, edges = false, bronze = false;
+  bool orthographic = false, flat = false, edges = false, bronze = false, smoothed = false;
   int frames = 1;
 };
 
@@ -89,16 +90,17 @@ void run(const Arguments& arguments) {
   ProgressBar progress;
   const Document document = loadScene(arguments.scene, progress);
   setLook(arguments, document.parts.view, options.look);
+  const Clay clay = arguments.smoothed ? smoothed(document.field) : document.field;
   Surface<8> surface;
-  surface.rebuild(document.field);
+  surface.rebuild(clay);
   if (arguments.frames == 1) {
-    writePng(arguments.out, renderPicture(surface, document.field, options, progress));
+    writePng(arguments.out, renderPicture(surface, clay, options, progress));
     return;
   }
   const auto write = [&](int frame, const Image& image) {
     writePng(numbered(arguments.out, frame), image);
   };
-  renderTurn(surface, document.field, options, write, progress);
+  renderTurn(surface, clay, options, write, progress);
 }
 
 void addCamera(CLI::App& command, Arguments& a) {
@@ -143,6 +145,8 @@ void addMaterial(CLI::App& command, Arguments& a) {
       ->capture_default_str();
   command.add_flag("--bronze", a.bronze, "Metal is bronze instead of chrome");
   command.add_flag("--flat", a.flat, "Triangles as they are instead of smooth");
+  command.add_flag("--smoothed", a.smoothed,
+                   "A copy of the clay filtered once: no terraces where clay was moved");
   command.add_flag("--edges", a.edges, "Edges of the triangles over any mode");
   command
       .add_option("--structure", a.structure,
