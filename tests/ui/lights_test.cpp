@@ -138,7 +138,8 @@ TEST(KeptLook, damageIsHarmless) {
   }
   takeLook(text, options);
   EXPECT_EQ(options.look, Look{});
-  EXPECT_TRUE(options.references.empty());
+  ASSERT_EQ(options.references.size(), 1u) << "for when the picture comes back";
+  EXPECT_FALSE(options.references[0].picture.image);
   takeLook(R"({"studio":{"turn":1e999,"lights":[3,{"towards":[0,0,0],"colour":[1]}]},"mode":7})",
            options);
   EXPECT_EQ(options.look.mode, Mode::clay);
