@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bozzetto/base/error.hpp"
+#include "bozzetto/base/text.hpp"
 #include "tool/actions.hpp"
 #include "tool/corner_loop.hpp"
 
@@ -42,11 +43,11 @@ std::optional<ActionKind> actionNamed(std::string_view name) {
 void requireValid(const ActionOptions& options) {
   clamped(options.stamp, 0.5);
   if (options.strength >= 0 && options.strength <= 1) return;
-  throw Error("action strength: " + std::to_string(options.strength) +
+  throw Error("action strength: " + numberText(options.strength) +
               " found, a number in 0…1 expected");
 }
 
-std::unique_ptr<Action> makeAction(const ActionOptions& options, double iso) {
+std::unique_ptr<Action> makeAction(const ActionOptions& options, double iso, ToolBody body) {
   requireValid(options);
   const bool gives = options.kind == ActionKind::add || options.kind == ActionKind::paint ||
                      options.kind == ActionKind::paintSoft;
@@ -57,7 +58,7 @@ std::unique_ptr<Action> makeAction(const ActionOptions& options, double iso) {
     case ActionKind::remove:
       return makeRemove();
     case ActionKind::erase:
-      return makeErase();
+      return makeErase(body);
     case ActionKind::paint:
       return makePaint(options.colour);
     case ActionKind::paintSoft:
@@ -65,7 +66,7 @@ std::unique_ptr<Action> makeAction(const ActionOptions& options, double iso) {
     case ActionKind::smooth:
       return makeSmooth();
     case ActionKind::stamp:
-      return makeStamp(options.stamp.profile, iso);
+      return makeStamp(options.stamp.profile, iso, body);
     case ActionKind::hold:
       return makeHold();
     case ActionKind::stiffen:

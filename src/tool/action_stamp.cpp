@@ -15,6 +15,27 @@ constexpr float kThinnest = 1e-4f;   // support that would grow a cell a dab
 
 enum class Rise { densities, climbs };
 
+// The print of a sculpture has its wall: what is pressed often is not pressed beyond it. Its
+// density falls so fast that any curve of it would end on the cells.
+struct SculptedStampRule {
+  const float* def;
+  const float* body;
+  float strength;
+  Lowpass lowpass;
+
+  BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
+    const float amount = pull(strength, 1.0f, old.attributes) * positive(def[n]);
+    const float climbs = lesser(amount * kPerCell, kFarthest) * lowpass.climb[n];
+    const float rise = pick(lessMask(old.value + climbs, kThinnest), 0.0f, climbs);
+    const float risen = lesser(old.value + rise, greater(old.value, 1.0f));
+    const float pressed = risen - pull(strength, body[n], old.attributes);
+    const float wall = lesser(risen, 1.0f - body[n]);
+    const float value = pick(positiveMask(body[n]), greater(pressed, positive(wall)), risen);
+    const Attributes own = (old.attributes & kHoldBits) | colourAt(lowpass, n);
+    return {value, pick(positiveMask(old.value), old.attributes, own)};
+  }
+};
+
 template <Rise kRise>
 struct StampRule {
   const float* def;
@@ -40,15 +61,19 @@ struct StampRule {
 
 class Stamp final : public Action {
  public:
-  Stamp(StampProfile profile, double iso)
+  Stamp(StampProfile profile, double iso, ToolBody body)
       : rise_(profile == StampProfile::paper ? Rise::densities : Rise::climbs),
+        body_(body),
         perIso_(static_cast<float>(1 / iso)) {}
   // Asked for blocks whose neighbours are all like them.
   bool leaves(const BlockSummary& block) const override {
     return !block.present || (block.uniform && holdOf(block.attributes) == 255);
   }
   bool wantsLowpass() const override { return true; }
+  bool wantsBody() const override { return rise_ == Rise::climbs && body_ == ToolBody::sculpture; }
   Outcome apply(const BlockView& block, float strength) const override {
+    if (wantsBody())
+      return run(block, SculptedStampRule{block.potential, block.body, strength, *block.lowpass});
     return rise_ == Rise::climbs ? with<Rise::climbs>(block, strength)
                                  : with<Rise::densities>(block, strength);
   }
@@ -60,13 +85,14 @@ class Stamp final : public Action {
   }
 
   Rise rise_;
+  ToolBody body_;
   float perIso_;
 };
 
 }  // namespace
 
-std::unique_ptr<Action> makeStamp(StampProfile profile, double iso) {
-  return std::make_unique<Stamp>(profile, iso);
+std::unique_ptr<Action> makeStamp(StampProfile profile, double iso, ToolBody body) {
+  return std::make_unique<Stamp>(profile, iso, body);
 }
 
 }  // namespace bozzetto

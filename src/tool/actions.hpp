@@ -6,11 +6,11 @@ namespace bozzetto {
 
 std::unique_ptr<Action> makeAdd(Colour colour);
 std::unique_ptr<Action> makeRemove();
-std::unique_ptr<Action> makeErase();
+std::unique_ptr<Action> makeErase(ToolBody body);
 std::unique_ptr<Action> makePaint(Colour colour);
 std::unique_ptr<Action> makePaintSoft(Colour colour);
 std::unique_ptr<Action> makeSmooth();
-std::unique_ptr<Action> makeStamp(StampProfile profile, double iso);
+std::unique_ptr<Action> makeStamp(StampProfile profile, double iso, ToolBody body);
 /// Add, paint or paintSoft.
 std::unique_ptr<Action> makeOwnColours(ActionKind kind);
 std::unique_ptr<Action> makeHold();

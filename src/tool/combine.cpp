@@ -4,10 +4,12 @@
 #include <array>
 
 #include "bozzetto/base/error.hpp"
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/tool/relative.hpp"
 #include "tool/block_work.hpp"
 #include "tool/corner_loop.hpp"
 #include "tool/freeform.hpp"
+#include "tool/share.hpp"
 
 namespace bozzetto {
 namespace {
@@ -101,35 +103,35 @@ void requireBearable(const Sculpture& sculpture, const FieldScale& scale, const 
   const double corners =
       blocks * Clay::Block::kCount * grown.x * grown.y * grown.z * ratio * ratio * ratio;
   if (corners > kMostCorners) {
-    throw Error("combine: about " + std::to_string(corners) +
+    throw Error("combine: about " + numberText(corners) +
                 " corners at this scale, at most 2^32 expected");
   }
 }
 
 struct ClearRule {
-  const float* inside;
+  const float* share;
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
-    const auto hit = positiveMask(inside[n]) & yieldMask(old.attributes);
-    return {pick(hit, 0.0f, old.value), old.attributes};
+    return {pick(yieldMask(old.attributes), restOf(old.value, share[n]), old.value),
+            old.attributes};
   }
 };
 
-// Takes away what `wanted` says of one block's corners.
+// Takes away the share of one block's corners that `wanted` says.
 template <int Side, class Wanted>
 void clearBlock(Edit<CornerBlock<Side>>& edit, Key key, Wanted&& wanted, DabReport& report) {
   using Block = CornerBlock<Side>;
-  alignas(64) float inside[Block::kCount];
+  alignas(64) float share[Block::kCount];
   const Key first = BlockGeometry<Side>::firstCornerOf(key);
   int n = 0;
   for (int i = 0; i < Side; ++i)
     for (int j = 0; j < Side; ++j)
-      for (int k = 0; k < Side; ++k) inside[n++] = wanted(first + Key{i, j, k}) ? 1.0f : 0.0f;
+      for (int k = 0; k < Side; ++k) share[n++] = static_cast<float>(wanted(first + Key{i, j, k}));
   Block& block = edit.write(key);
   float* value = block.value.data();
   Attributes* attributes = block.attributes.data();
-  const BlockView view{Block::kCount, value,  attributes, value,
-                       attributes,    inside, nullptr,    nullptr};
-  const Outcome outcome = run(view, ClearRule{inside});
+  const BlockView view{Block::kCount, value, attributes, value,
+                       attributes,    share, nullptr,    nullptr};
+  const Outcome outcome = run(view, ClearRule{share});
   describe(block, outcome);
   report.dirty += outcome.dirty;
   report.changed.push_back({key, outcome.corners});
@@ -152,7 +154,7 @@ void emptyOutside(Edit<CornerBlock<Side>>& edit, const KeyBox& box, DabReport& r
   const KeyBox reached{Geometry::blockOf(box.low), Geometry::blockOf(box.high)};
   for (const Key& key : blocksOf(edit.tree(), [&](Key at) { return !reached.contains(at); }))
     clearBlock(
-        edit, key, [](Key) { return true; }, report);
+        edit, key, [](Key) { return 1; }, report);
 }
 
 }  // namespace
@@ -215,14 +217,14 @@ DabReport clear(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, const Ke
   };
   const KeyBox blocks{Geometry::blockOf(box.low), Geometry::blockOf(box.high)};
   const double half = (Side - 1) / 2.0 * scale.spacing, radius = (half + scale.spacing) * 1.75;
+  const auto share = [&](Key corner) {
+    return box.contains(corner) ? lasso.share(place(corner), scale.spacing) : 0;
+  };
   const auto wanted = [&](Key at) {
     if (!blocks.contains(at)) return false;
     return coverageOf(lasso, place(Geometry::firstCornerOf(at)) + half, radius) != Coverage::none;
   };
-  for (const Key& key : blocksOf(edit.tree(), wanted))
-    clearBlock(
-        edit, key, [&](Key corner) { return box.contains(corner) && lasso.holds(place(corner)); },
-        report);
+  for (const Key& key : blocksOf(edit.tree(), wanted)) clearBlock(edit, key, share, report);
   return report;
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kWidest = 4;  // reference radii
 constexpr int kMostLayers = 64;
+constexpr double kWall = 1.7321;  // cells that a sculpture's density reaches beyond its surface
 constexpr int kRoundingBits = 30;  // of the mass pressed what may stay missing: 1e-9
 
 template <int Side>
@@ -40,6 +41,15 @@ StampOptions ofHeightOne(StampOptions options) {
     options.slope /= options.height;
   options.height = 1;
   return options;
+}
+
+// A print does not go beyond the sculpture's own wall (action_stamp).
+float pressedTo(float value, float amount, float body) {
+  return std::max(value - amount, positive(std::min(value, 1 - body)));
+}
+
+float pressing(const StampCurve& curve, double depth) {
+  return depth < curve.surface() ? static_cast<float>(curve(depth)) : 0;
 }
 
 }  // namespace
@@ -105,17 +115,28 @@ void ConservingStamp<Side>::press() {
   });
 }
 
+// Sculptures do, by radius; nothing rises where their density still is.
+template <int Side>
+bool ConservingStamp<Side>::hasWall() const {
+  return dab_->tool.sculpture != nullptr && dab_->options.profile == StampProfile::radius;
+}
+
 template <int Side>
 void ConservingStamp<Side>::pressBlock(Key block, const Depths& depth) {
   const StampCurve curve(dab_->options, dab_->iso);
+  alignas(64) float body[Block::kCount];
+  if (hasWall())
+    depth_->evaluateBody(frame_, BlockGeometry<Side>::firstCornerOf(block) - frame_.cell, Side,
+                         body);
   const Block* old = edit_->read(block);
   for (int n = 0; n < Block::kCount; ++n) {
     const float value = old->value[std::size_t(n)];
-    const double d = static_cast<double>(depth[std::size_t(n)]);
-    if (!(value > 0) || d >= curve.surface()) continue;
+    if (!(value > 0)) continue;
     const Attributes own = old->attributes[std::size_t(n)];
     const float amount = pull(static_cast<float>(dab_->strength), 1.0f, own);
-    const float made = positive(value + amount * static_cast<float>(curve(d)));
+    const double d = static_cast<double>(depth[std::size_t(n)]);
+    const float made = hasWall() ? pressedTo(value, amount * body[n], body[n])
+                                 : positive(value + amount * pressing(curve, d));
     if (made == value) continue;
     pressed_ += massUnits(value) - massUnits(made);
     write(block, n, made, own);
@@ -161,6 +182,7 @@ void ConservingStamp<Side>::lookAt(Key block, const StampCurve& curve) {
   if (!clay || (own != nullptr && own->low >= 1)) return;
   const Depths& d = depthsOf(block);
   const double surface = 1 - dab_->iso;
+  const double rimBegins = surface + (hasWall() ? kWall / referenceRadius(dab_->tool) : 0);
   const auto beyond = static_cast<float>(surface + widening_ * (curve.end() - surface));
   const bool rim = std::any_of(d.begin(), d.end(), [&](float each) {
     return static_cast<double>(each) >= surface && each < beyond;
@@ -171,7 +193,8 @@ void ConservingStamp<Side>::lookAt(Key block, const StampCurve& curve) {
   for (std::size_t n = 0; n < d.size(); ++n) {
     const float value = own == nullptr ? 0 : own->value[n];
     const double depth = static_cast<double>(d[n]);
-    if (depth < surface || d[n] >= beyond || value >= 1 || !(buffer.result.value[n] > 0)) continue;
+    if (depth < rimBegins || d[n] >= beyond || value >= 1 || !(buffer.result.value[n] > 0))
+      continue;
     const Attributes held = own == nullptr ? 0 : own->attributes[n];
     const float weight = riseWeight(buffer.result.value[n] / static_cast<float>(dab_->iso)) *
                          pull(static_cast<float>(dab_->strength), 1.0f, held);
@@ -254,6 +277,7 @@ void ConservingStamp<Side>::write(Key block, int corner, float value, Attributes
   }
   const auto n = static_cast<std::size_t>(corner);
   open_->value[n] = value;
+  open_->low = std::min(open_->low, value);
   open_->attributes[n] = value > 0 ? attributes : 0;
   ++dirty_;
 }

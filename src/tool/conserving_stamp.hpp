@@ -35,6 +35,7 @@ class ConservingStamp {
   void reachOut(double widening);
   template <class Visit>
   void forBlocks(Visit&& visit);
+  bool hasWall() const;
   void press();
   void pressBlock(Key block, const Depths& depth);
   void look(double widening);

@@ -187,6 +187,11 @@ void DabWalker<Side>::compute(const Walk& walk, BlockWork<Side>& work) const {
     walk.dab.potential->evaluateColours(walk.frame, walk.offsetOf(work.key), Side, colours);
     view.toolColours = colours;
   }
+  alignas(64) float body[Block::kCount];
+  if (action.wantsBody()) {
+    walk.dab.potential->evaluateBody(walk.frame, walk.offsetOf(work.key), Side, body);
+    view.body = body;
+  }
   work.outcome = action.apply(view, walk.dab.strength);
 }
 

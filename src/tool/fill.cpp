@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/tool/relative.hpp"
 #include "bozzetto/tool/solid.hpp"
 #include "tool/block_work.hpp"
@@ -44,7 +45,7 @@ void append(std::vector<KeyRun>& runs, KeyRun run) {
 void requireAffordable(const glm::dvec3& radii, int side) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!(radii[axis] > 0) || !std::isfinite(radii[axis])) {
-      throw Error("fill radius: " + std::to_string(radii[axis]) +
+      throw Error("fill radius: " + numberText(radii[axis]) +
                   " cells found, a number above 0 expected");
     }
   }
@@ -52,7 +53,7 @@ void requireAffordable(const glm::dvec3& radii, int side) {
   const double area = 8 * (r.x * r.y + r.y * r.z + r.z * r.x), volume = 8 * r.x * r.y * r.z;
   const double blocks = side > 1 ? 2 * area / (side * side) : volume / 16;
   if (!(blocks <= kMostBlocks)) {
-    throw Error("fill: a surface of about " + std::to_string(blocks) +
+    throw Error("fill: a surface of about " + numberText(blocks) +
                 " blocks found, at most 8388608 expected; use smaller radii or a larger spacing");
   }
 }

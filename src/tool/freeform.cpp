@@ -13,9 +13,11 @@ namespace {
 constexpr double kOne = 1 << kFractionBits;
 constexpr double kRounding = 1.0 / 16;  // of positions over a whole tool: cells, generously
 
+bool oneByOne(const FixedFrame& frame) { return frame.step[2][2] == 1 << kFractionBits; }
+
 #if defined(__x86_64__)
 BOZZETTO_TARGET_AVX2 void alignedAvx2(const TilePatch& patch, float* result) {
-  if (patch.frame.step[2][2] == 1 << kFractionBits) return oneByOneAvx2(patch, result);
+  if (oneByOne(patch.frame)) return oneByOneAvx2(patch, result);
   alignedBody<8>(patch, result);
 }
 #endif
@@ -34,6 +36,12 @@ void reconstruct(const TilePatch& patch, int side, float* result) {
   if (hasAvx2()) return straight ? alignedAvx2(patch, result) : turnedAvx2(patch, result);
 #endif
   straight ? alignedBody<8>(patch, result) : turnedBody<8>(patch, result);
+}
+
+// Which blocks read the tool as one box: those that read far more corners than they have, and
+// those that read it in rows as they lie. Others take whole planes of what they read.
+bool readsBox(const FixedFrame& frame, int side) {
+  return !aligned(frame) || (side == 8 && hasAvx2() && oneByOne(frame));
 }
 
 class FreeformPotential final : public Potential {
@@ -85,8 +93,8 @@ class FreeformPotential final : public Potential {
   }
 
   void evaluate(const LocalFrame& frame, Key first, int side, float* potential) const override {
-    if (!aligned(frame.fixed) && !level_->box().value.empty())
-      return evaluateTurned(frame, first, side, potential);
+    if (readsBox(frame.fixed, side) && !level_->box().value.empty())
+      return evaluateBoxed(frame, first, side, potential);
     ToolTile tile;
     gatherTile(frame, first, side, tile);
     if (tile.kind != ToolTile::Kind::varied) return fillAlike(tile.kind, side, potential);
@@ -142,7 +150,7 @@ class FreeformPotential final : public Potential {
     return cornersRead(frame.fixed, first, first + Key{side - 1, side - 1, side - 1});
   }
 
-  void evaluateTurned(const LocalFrame& frame, Key first, int side, float* potential) const {
+  void evaluateBoxed(const LocalFrame& frame, Key first, int side, float* potential) const {
     const KeyBox read = cornersRead(frame, first, side);
     const ToolTile::Kind kind = kindOf(level_->blocks, read.low, read.high);
     if (kind != ToolTile::Kind::varied) return fillAlike(kind, side, potential);

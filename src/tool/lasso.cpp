@@ -27,18 +27,24 @@ bool encloses(const std::vector<glm::dvec2>& outline, const glm::dvec2& at) {
   return inside;
 }
 
-double distanceTo(const glm::dvec2& at, const glm::dvec2& a, const glm::dvec2& b) {
+glm::dvec2 nearestOn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& at) {
   const glm::dvec2 side = b - a, away = at - a;
   const double square = glm::dot(side, side);
   const double t = square > 0 ? std::clamp(glm::dot(away, side) / square, 0.0, 1.0) : 0;
-  return glm::length(away - t * side);
+  return a + t * side;
 }
 
-double distanceTo(const std::vector<glm::dvec2>& outline, const glm::dvec2& at) {
+glm::dvec2 nearestOn(const std::vector<glm::dvec2>& outline, const glm::dvec2& at) {
+  glm::dvec2 nearest(0);
   double least = HUGE_VAL;
-  for (std::size_t n = 0, before = outline.size() - 1; n < outline.size(); before = n++)
-    least = std::min(least, distanceTo(at, outline[before], outline[n]));
-  return least;
+  for (std::size_t n = 0, before = outline.size() - 1; n < outline.size(); before = n++) {
+    const glm::dvec2 each = nearestOn(outline[before], outline[n], at);
+    const double distance = glm::length(each - at);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = each;
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -51,9 +57,18 @@ bool Lasso::sees(const glm::dvec3& place, glm::dvec2& at) const {
   return view.z < 0;
 }
 
-bool Lasso::holds(const glm::dvec3& place) const {
+// By the distance to the ray through the nearest place of the outline.
+double Lasso::share(const glm::dvec3& place, double cell) const {
   glm::dvec2 at(0);
-  return sees(place, at) && encloses(outline, at);
+  if (!sees(place, at)) return 0;
+  const glm::dvec2 nearest = nearestOn(outline, at);
+  double distance = glm::length(at - nearest);
+  if (rays == LassoRays::fromEye) {
+    const glm::dvec3 view = inView(*this, place), ray = glm::normalize(glm::dvec3(nearest, -1));
+    distance = glm::length(view - glm::dot(view, ray) * ray);
+  }
+  const double inside = encloses(outline, at) ? distance : -distance;
+  return std::clamp(0.5 + inside / (2 * cell), 0.0, 1.0);
 }
 
 void requireValid(const Lasso& lasso) {
@@ -76,7 +91,7 @@ Coverage coverageOf(const Lasso& lasso, const glm::dvec3& centre, double radius)
     if (!seen || depth < 2 * radius) return Coverage::some;
     reach = radius * (1 + glm::length(at)) / (depth - radius);
   }
-  if (distanceTo(lasso.outline, at) <= reach) return Coverage::some;
+  if (glm::length(nearestOn(lasso.outline, at) - at) <= reach) return Coverage::some;
   return encloses(lasso.outline, at) ? Coverage::all : Coverage::none;
 }
 

@@ -3,6 +3,7 @@
 
 #include "bozzetto/base/parallel.hpp"
 #include "bozzetto/tool/sculpture.hpp"
+#include "tool/share.hpp"
 
 namespace bozzetto {
 namespace {
@@ -15,15 +16,16 @@ struct Found {
   Ref<Block> block;
 };
 
-// The corners of one block that are held.
+// What is held of one block.
 Ref<Block> heldCorners(const Block& block, Key key, const Lasso& lasso, double spacing) {
   Ref<Block> copy(new Block(block));
   const Key first = Geometry::firstCornerOf(key);
   for (int n = 0; n < Geometry::kCount; ++n) {
     const Key corner = first + Key{n >> 6, n >> 3 & 7, n & 7};
-    if (lasso.holds(glm::dvec3(corner.i, corner.j, corner.k) * spacing)) continue;
-    copy->value[static_cast<std::size_t>(n)] = 0;
-    copy->attributes[static_cast<std::size_t>(n)] = 0;
+    const glm::dvec3 place = glm::dvec3(corner.i, corner.j, corner.k) * spacing;
+    float& value = copy->value[static_cast<std::size_t>(n)];
+    value -= restOf(value, static_cast<float>(lasso.share(place, spacing)));
+    if (value == 0) copy->attributes[static_cast<std::size_t>(n)] = 0;
   }
   return Block::canonical(std::move(copy));
 }
@@ -31,7 +33,7 @@ Ref<Block> heldCorners(const Block& block, Key key, const Lasso& lasso, double s
 Ref<Block> heldPart(const Found& found, const Lasso& lasso, double spacing) {
   const Key first = Geometry::firstCornerOf(found.key);
   const glm::dvec3 middle = (glm::dvec3(first.i, first.j, first.k) + 3.5) * spacing;
-  switch (coverageOf(lasso, middle, 3.5 * std::sqrt(3.0) * spacing * (1 + 1e-9))) {
+  switch (coverageOf(lasso, middle, (3.5 * std::sqrt(3.0) + 1) * spacing * (1 + 1e-9))) {
     case Coverage::none:
       return nullptr;
     case Coverage::all:

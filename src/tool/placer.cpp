@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "bozzetto/base/error.hpp"
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/tool/sculpture.hpp"
 
 namespace bozzetto {
@@ -66,11 +67,20 @@ glm::dmat3 turnAbout(const glm::dvec3& axis, double angle) {
 
 void requireIn(double number, double most, const char* what) {
   if (number >= 0 && number <= most) return;
-  throw Error(std::string("stroke ") + what + ": " + std::to_string(number) +
-              " found, a number in 0…" + std::to_string(most) + " expected");
+  throw Error(std::string("stroke ") + what + ": " + numberText(number) + " found, a number in 0…" +
+              numberText(most) + " expected");
 }
 
 }  // namespace
+
+std::optional<glm::dmat3> orientationAlong(const glm::dvec3& contact, const glm::dvec3& outward,
+                                           const glm::dvec3& heading) {
+  const auto wanted = axesFrom(outward, heading);
+  auto own = axesFrom(-contact, {0, 1, 0});
+  if (!own) own = axesFrom(-contact, {0, 0, 1});
+  if (!wanted) return std::nullopt;
+  return *wanted * glm::transpose(*own);
+}
 
 void requireValid(const Placement& placement) {
   requireIn(placement.jitter.position, 100, "jitter position");
@@ -78,14 +88,17 @@ void requireValid(const Placement& placement) {
   requireIn(placement.jitter.rotation, 180, "jitter rotation");
   requireIn(placement.grid, 1e9, "grid");
   requireIn(std::abs(placement.roll), 1000, "roll");
-  std::int64_t copies = 1;
-  for (const int count : placement.copies) {
-    if (count < 1 || count > kMostCopies) copies = kMostCopies + 1;
-    copies = std::min<std::int64_t>(copies * count, kMostCopies + 1);
+  double copies = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int count = placement.copies[std::size_t(axis)];
+    const double step = placement.copyStep[axis];
+    copies *= count;
+    if (count < 1 || copies > kMostCopies) throw Error("stroke copies: 1 to 4096 expected");
+    if (!std::isfinite(step)) throw Error("stroke copies: step is not finite");
+    if (count > 1 && step == 0)
+      throw Error(std::string("stroke copies: step 0 on axis ") + "xyz"[axis] +
+                  " found, another number expected where there is more than one");
   }
-  if (copies > kMostCopies) throw Error("stroke copies: 1 to 4096 expected");
-  for (int axis = 0; axis < 3; ++axis)
-    if (!std::isfinite(placement.copyStep[axis])) throw Error("stroke copies: step is not finite");
 }
 
 template <int Side>
@@ -146,10 +159,7 @@ glm::dmat3 Placer<Side>::turned(const glm::dvec3& position, const glm::dvec3& he
     }
   }
   if (!placement_.alongStroke) return orientation;
-  const auto wanted = axesFrom(outward, heading);
-  auto own = axesFrom(-contact_, {0, 1, 0});
-  if (!own) own = axesFrom(-contact_, {0, 0, 1});
-  return wanted ? *wanted * glm::transpose(*own) : orientation;
+  return orientationAlong(contact_, outward, heading).value_or(orientation);
 }
 
 template <int Side>

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bozzetto/base/error.hpp"
+#include "bozzetto/base/text.hpp"
 
 namespace bozzetto {
 
@@ -12,7 +13,7 @@ Key cellOf(const glm::dvec3& position, double spacing, std::string_view what) {
   for (const Axis axis : kAxes) {
     const double cells = std::floor(position[index(axis)] / spacing);
     if (!(std::abs(cells) <= kWorkspaceRim)) {
-      throw Error(std::string(what) + ": coordinate " + std::to_string(position[index(axis)]) +
+      throw Error(std::string(what) + ": coordinate " + numberText(position[index(axis)]) +
                   " found, one within the workspace of ±2^30 cells expected");
     }
     cell[axis] = static_cast<std::int32_t>(cells);

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "bozzetto/base/error.hpp"
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/tool/sculpture.hpp"
 #include "tool/freeform.hpp"
 
@@ -21,12 +21,6 @@ std::optional<Value> named(const std::array<std::string_view, Count>& names,
   for (std::size_t n = 0; n < Count; ++n)
     if (names[n] == name) return static_cast<Value>(n);
   return std::nullopt;
-}
-
-std::string numberText(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
 }
 
 }  // namespace

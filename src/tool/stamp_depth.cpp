@@ -155,6 +155,10 @@ class StampDepth final : public Potential {
     return false;
   }
 
+  void evaluateBody(const LocalFrame& frame, Key first, int side, float* body) const override {
+    tool_->evaluate(frame, first, side, body);
+  }
+
   void evaluate(const LocalFrame& frame, Key first, int side, float* depth) const override {
     alignas(64) float covered[512];
     const int count = side * side * side;
@@ -185,6 +189,9 @@ class StampPotential final : public Potential {
   glm::dvec3 reach() const override { return depth_.reach(); }
   bool misses(const LocalFrame& frame, Key low, Key high) const override {
     return depth_.misses(frame, low, high);
+  }
+  void evaluateBody(const LocalFrame& frame, Key first, int side, float* body) const override {
+    depth_.evaluateBody(frame, first, side, body);
   }
   void evaluate(const LocalFrame& frame, Key first, int side, float* def) const override {
     depth_.evaluate(frame, first, side, def);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/tool/relative.hpp"
 #include "tool/conserving_stamp.hpp"
 #include "tool/freeform.hpp"
@@ -15,7 +16,7 @@ namespace {
 void requireValid(const Stroke& stroke) {
   if (stroke.points.empty()) throw Error("stroke: no points found, at least one expected");
   if (!(stroke.spacing > 0) || !std::isfinite(stroke.spacing)) {
-    throw Error("stroke spacing: " + std::to_string(stroke.spacing) +
+    throw Error("stroke spacing: " + numberText(stroke.spacing) +
                 " found, a number above 0 expected");
   }
   requireValid(stroke.symmetry);
@@ -65,7 +66,8 @@ StrokeRunner<Side>::StrokeRunner(Edit<CornerBlock<Side>>& edit, const Field<Side
   notice_ = fitted.notice;
   potential_ = potentialOf(tool_);
   options_.ownColours = options_.ownColours && potential_->coloured();
-  action_ = makeAction(options_, scale.iso);
+  const bool sculpted = tool.shape == Shape::freeform;
+  action_ = makeAction(options_, scale.iso, sculpted ? ToolBody::sculpture : ToolBody::potential);
 
   origin_ = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
   images_ = imagesOf(stroke.symmetry);
@@ -109,7 +111,7 @@ std::vector<StrokePath::Sample> StrokeRunner<Side>::relative(
   for (const StrokePoint& point : points) {
     cellOf(point.position, scale_.spacing, "stroke point");
     if (!(point.pressure >= 0 && point.pressure <= 1)) {
-      throw Error("stroke pressure: " + std::to_string(point.pressure) +
+      throw Error("stroke pressure: " + numberText(point.pressure) +
                   " found, a number in 0…1 expected");
     }
     samples.push_back({relativeTo(origin_, point.position, scale_.spacing), point.pressure});
@@ -123,7 +125,7 @@ std::int64_t StrokeRunner<Side>::countOf(const StrokePath& path) const {
   const double count = path.count();
   const std::size_t images = images_.size() * placer_->copies().size();
   if (!(count * static_cast<double>(images) <= static_cast<double>(kMostDabs))) {
-    throw Error("stroke: " + std::to_string(count) + " dabs × " + std::to_string(images) +
+    throw Error("stroke: " + numberText(count) + " dabs × " + std::to_string(images) +
                 " images found, at most 10 million expected");
   }
   return placer_->countOf(static_cast<std::int64_t>(count));

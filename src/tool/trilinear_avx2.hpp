@@ -67,8 +67,9 @@ BOZZETTO_TARGET_AVX2 inline void turnedAvx2(const TilePatch& patch, float* resul
   }
 }
 
-// alignedBody where tool and clay have cells of one size along k: rows of 8 from rows as they lie.
-// Left to itself the compiler cuts these rows into pieces of 4, 2, 1 and 1.
+// alignedBody where tool and clay have cells of one size along k: rows of 8 from rows as they lie,
+// in a tile or in the box of the whole tool. Left to itself the compiler cuts these rows into
+// pieces of 4, 2, 1 and 1.
 BOZZETTO_TARGET_AVX2 inline void oneByOneAvx2(const TilePatch& patch, float* result) {
   const std::int32_t strideJ = patch.wide[2], strideI = patch.wide[1] * strideJ;
   const auto placeOf = [&](Axis axis, int n) {
@@ -81,22 +82,23 @@ BOZZETTO_TARGET_AVX2 inline void oneByOneAvx2(const TilePatch& patch, float* res
   for (int j = 0; j < 8; ++j) along[j] = placeOf(Axis::y, j);
   const Place k = placeOf(Axis::z, 0);
   const __m256 tk = _mm256_set1_ps(k.fraction), restK = _mm256_set1_ps(1.0f - k.fraction);
-  alignas(64) float plane[ToolTile::kWidest * ToolTile::kWidestK];
   for (int i = 0; i < 8; ++i) {
     const Place at = placeOf(Axis::x, i);
-    const float* from = patch.value + at.corner * strideI;
+    const float* plane = patch.value + at.corner * strideI + k.corner;
     const __m256 ti = _mm256_set1_ps(at.fraction), restI = _mm256_set1_ps(1.0f - at.fraction);
-    for (int n = 0; n < strideI; n += 8)
-      _mm256_store_ps(plane + n, mixed(_mm256_loadu_ps(from + n),
-                                       _mm256_loadu_ps(from + n + strideI), ti, restI));
     for (int j = 0; j < 8; ++j) {
-      const float* near = plane + along[j].corner * strideJ + k.corner;
-      const float* far = near + strideJ;
+      const float* near = plane + along[j].corner * strideJ;
+      const float* far = near + strideI;
       const __m256 tj = _mm256_set1_ps(along[j].fraction),
                    restJ = _mm256_set1_ps(1.0f - along[j].fraction);
-      const __m256 low = mixed(_mm256_loadu_ps(near), _mm256_loadu_ps(far), tj, restJ);
-      const __m256 high = mixed(_mm256_loadu_ps(near + 1), _mm256_loadu_ps(far + 1), tj, restJ);
-      _mm256_storeu_ps(result + (i * 8 + j) * 8, mixed(low, high, tk, restK));
+      __m256 row[2];
+      for (int n = 0; n < 2; ++n) {
+        const __m256 low = mixed(_mm256_loadu_ps(near + n), _mm256_loadu_ps(far + n), ti, restI);
+        const __m256 high = mixed(_mm256_loadu_ps(near + strideJ + n),
+                                  _mm256_loadu_ps(far + strideJ + n), ti, restI);
+        row[n] = mixed(low, high, tj, restJ);
+      }
+      _mm256_storeu_ps(result + (i * 8 + j) * 8, mixed(row[0], row[1], tk, restK));
     }
   }
 }

@@ -193,6 +193,31 @@ TEST(Stamp, symmetricToolsLeaveSymmetricPrints) {
   }
 }
 
+// However often it is pressed, a sculpture's print has the sculpture's wall.
+TEST(Stamp, sculpturesPressNoFurtherThanTheyAre) {
+  const ToolShape tool = sculpted(clayBall<8>(7));
+  const glm::dvec3 at(0.3, -3.4, 0.7);
+  Clay there;
+  ActionOptions add{ActionKind::add, 1, kToolColour};
+  stroke(there, tool, add, dabAt(at));
+  StampOptions flat;
+  flat.height = 0;
+  Clay clay = slab<8>();
+  const Clay before = clay;
+  for (int n = 0; n < 40; ++n) stroke(clay, tool, stampWith(flat, 0.6), dabAt(at));
+  for (const auto& [key, sample] : samplesOf(before)) {
+    const float wall = std::min(sample.value, 1 - there.value(key));
+    if (there.value(key) > 0.02f) {
+      ASSERT_NEAR(clay.value(key), wall, 1e-6) << toText(key);
+    }
+  }
+  StampOptions conserving;
+  conserving.conserving = true;
+  clay = before;
+  stroke(clay, tool, stampWith(conserving), dabAt(at));
+  EXPECT_NEAR(clay.value({7, -3, 1}), 1 - there.value({7, -3, 1}), 1e-6);
+}
+
 double massOf(const Clay& clay) { return double(massUnits(clay)) * kMassUnit; }
 
 TEST(Stamp, conservingStampsConserve) {

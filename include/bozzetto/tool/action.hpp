@@ -13,11 +13,13 @@ namespace bozzetto {
 /// With p the tool's potential at the corner and s the strength, scaled by 1 − hold/255:
 ///   add         v ← min(1, v + s·p), colour blended with weight s·p / (v + s·p)
 ///   remove      v ← max(0, v − s·p)
-///   erase       v ← 0 where p > 0
+///   erase       v ← 0 where p > 0; of sculptures v ← min(v, 1 − min(1, 2p)): all is gone where
+///               they are, and their wall is as smooth as they are
 ///   paint       colour ← tool's where p > 0
 ///   paintSoft   colour blended with weight s·p / (s·p + v)
 ///   smooth      v ← v + s·p·(lowpass(v) − v), colour likewise weighted by density
-///   stamp       v ← clamp(v + s·def(d)); the bulge rises from clay only (stamp.hpp)
+///   stamp       v ← clamp(v + s·def(d)); the bulge rises from clay only (stamp.hpp); sculptures
+///               press v − s·p, but not below min(v, 1 − p), however many dabs there are
 ///   hold        hold grows by s·p of what is left to 255; the clay stays
 ///   stiffen, soften   not on the clay but on what painted stiffness is kept in: o ← o ± s·p
 ///   push, grip, swell   move clay: strokes of these are made by clay/stroke.hpp
@@ -72,6 +74,7 @@ struct BlockView {
   const float* potential;
   const struct Lowpass* lowpass = nullptr;  ///< for actions that ask for it
   const Attributes* toolColours = nullptr;  ///< likewise; where the potential is above 0
+  const float* body = nullptr;              ///< likewise; the tool's own density
   /// What is known of the old corners without looking: that all with clay have the attributes
   /// `only` (or that there is none), and the least value.
   bool oneColour = false;
@@ -120,9 +123,15 @@ class Action {
   virtual Outcome apply(const BlockView& block, float strength) const = 0;
   virtual bool wantsLowpass() const { return false; }
   virtual bool wantsColours() const { return false; }
+  virtual bool wantsBody() const { return false; }
 };
 
+/// What p is: a potential that falls slowly, or the density of a sculpture, which falls from 1 to 0
+/// within two of its cells.
+enum class ToolBody { potential, sculpture };
+
 /// `iso` is for the stamp.
-std::unique_ptr<Action> makeAction(const ActionOptions& options, double iso = 0.5);
+std::unique_ptr<Action> makeAction(const ActionOptions& options, double iso = 0.5,
+                                   ToolBody body = ToolBody::potential);
 
 }  // namespace bozzetto

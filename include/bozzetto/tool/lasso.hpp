@@ -20,8 +20,9 @@ struct Lasso {
 
   /// Where a place in the world appears; nothing is seen behind an eye. O(1).
   bool sees(const glm::dvec3& place, glm::dvec2& at) const;
-  /// O(points of the outline).
-  bool holds(const glm::dvec3& place) const;
+  /// How much of the clay there it holds: 1 … 0, falling across the outline over two cells of
+  /// world units, as the density of a primitive does. O(points of the outline).
+  double share(const glm::dvec3& place, double cell) const;
 
   friend bool operator==(const Lasso&, const Lasso&) = default;
 };

@@ -3,7 +3,9 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 namespace bozzetto {
 
@@ -30,7 +32,14 @@ struct Placement {
   friend bool operator==(const Placement&, const Placement&) = default;
 };
 
-/// Throws Error for numbers that are not finite or out of range and for more than 4096 copies.
+/// How a tool is turned whose side `contact` (in its own frame) faces away from `outward` and whose
+/// y, or z where it touches with that, points towards `heading` as far as that goes. Directions of
+/// length 1, `heading` of any; nothing where it runs along `outward`.
+std::optional<glm::dmat3> orientationAlong(const glm::dvec3& contact, const glm::dvec3& outward,
+                                           const glm::dvec3& heading);
+
+/// Throws Error for numbers that are not finite or out of range, for more than 4096 copies and for
+/// copies in one place.
 void requireValid(const Placement& placement);
 
 }  // namespace bozzetto

@@ -61,6 +61,11 @@ class Potential {
   /// above 0.
   virtual bool coloured() const { return false; }
   virtual void evaluateColours(const LocalFrame&, Key, int, Attributes*) const {}
+
+  /// The tool's own density there, where the potential is made from it (stamps).
+  virtual void evaluateBody(const LocalFrame& frame, Key first, int side, float* body) const {
+    evaluate(frame, first, side, body);
+  }
 };
 
 /// The pose with radii that hold all of the potential.
