@@ -10,6 +10,7 @@
 #include "bozzetto/scene/scene_file.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/subcommands.hpp"
+#include "cli/tool_files.hpp"
 
 namespace bozzetto::cli {
 namespace {
@@ -85,6 +86,7 @@ std::string numbered(const std::filesystem::path& path, int number) {
 }
 
 void run(const Arguments& arguments) {
+  requirePictureName(arguments.out);
   PictureOptions options = optionsFrom(arguments);
   setLook(arguments, {}, options.look);  // what is wrong with it is told before a scene is read
   ProgressBar progress;

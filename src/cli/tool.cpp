@@ -22,7 +22,10 @@ struct MakeArguments {
   ToolSource source;
   std::string out, tags, preset, lasso;
   std::optional<std::string> name;
-  std::vector<double> region, pivot, contact;
+  std::vector<double> region, plane, pivot, contact;
+  bool replace = false, patch = false;
+
+  bool presetOnly() const { return source.isAtHand() && !preset.empty(); }
 };
 
 std::optional<glm::dvec3> vectorOf(const std::vector<double>& numbers) {
@@ -49,13 +52,21 @@ WorldRegion regionFrom(const std::string& text) {
   return *std::get<ToolOperation>(parseOperation(line.dump(), "--lasso")).source->region;
 }
 
-// A recording's operations, header and all, as a preset.
+// What a recording says of the hand.
 std::vector<Operation> presetFrom(const std::string& path) {
-  return path.empty() ? std::vector<Operation>{} : readRecording(path).operations;
+  if (path.empty()) return {};
+  std::vector<Operation> preset = readRecording(path).operations;
+  std::erase_if(preset, [](const Operation& operation) {
+    return !std::holds_alternative<ToolOperation>(operation) &&
+           !std::holds_alternative<ActionOperation>(operation) &&
+           !std::holds_alternative<StrokeOperation>(operation) &&
+           !std::holds_alternative<ClayOperation>(operation);
+  });
+  if (preset.empty()) throw Error(path + ": no tool, action, stroke or clay found, one expected");
+  return preset;
 }
 
-void make(const MakeArguments& arguments) {
-  ProgressBar progress;
+ToolSource sourceOf(const MakeArguments& arguments) {
   ToolSource source = arguments.source;
   if (arguments.region.size() == 6) {
     const auto& r = arguments.region;
@@ -64,21 +75,46 @@ void make(const MakeArguments& arguments) {
     source.region = WorldRegion{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
   }
   if (!arguments.lasso.empty()) source.region = regionFrom(arguments.lasso);
+  const auto& p = arguments.plane;
+  if (arguments.patch) source.patch.emplace();
+  if (p.size() == 6) source.patch = {ClayPlane{{p[0], p[1], p[2]}, {p[3], p[4], p[5]}}};
   source.pivot = vectorOf(arguments.pivot);
   source.contact = vectorOf(arguments.contact);
-  if (source.from.empty() == source.text.empty())
-    throw Error("tool make: either a source or --text expected");
-  ShelfTool tool = toolFrom(source, progress);
-  if (arguments.name) tool.name = *arguments.name;
+  if (source.isAtHand() ? arguments.preset.empty() : !source.from.empty() && !source.text.empty())
+    throw Error("tool make: either a source, --text or --preset expected");
+  if (source.isAtHand() && (source.region || source.patch || source.pivot || source.contact))
+    throw Error("tool make: a preset alone has no region, patch, pivot or contact");
+  return source;
+}
+
+// Where the tool goes; refuses names, and what must not be replaced.
+std::filesystem::path placeFor(const ShelfTool& tool, const MakeArguments& arguments) {
   std::filesystem::path out = arguments.out;
   if (arguments.name || out.empty()) {
-    const auto inLibrary = userToolFile(tool.name);  // refuses names
+    const auto inLibrary = userToolFile(tool.name);
     if (out.empty()) out = inLibrary;
   }
-  if (!arguments.tags.empty()) tool.tags = wordsOf(arguments.tags);
+  if (out.extension() != ".bzt")
+    throw Error(out.string() + ": tools are .bzt files, another name found");
+  if (!arguments.replace && std::filesystem::exists(out))
+    throw Error(out.string() + ": exists already; --replace replaces it");
+  return out;
+}
+
+void make(const MakeArguments& arguments) {
+  ProgressBar progress;
+  const ToolSource source = sourceOf(arguments);
   const auto preset = presetFrom(arguments.preset);
+  ShelfTool tool;
+  if (arguments.presetOnly()) {
+    tool.name = std::filesystem::path(arguments.preset).stem().string();
+  } else {
+    tool = toolFrom(source, progress);  // refuses what is no tool
+  }
+  if (arguments.name) tool.name = *arguments.name;
+  if (!arguments.tags.empty()) tool.tags = wordsOf(arguments.tags);
   if (!preset.empty()) tool.preset = preset;
-  sculptureOf(tool, {});  // refuses what is no tool, before anything is written
+  const std::filesystem::path out = placeFor(tool, arguments);
   tool.thumbnail = thumbnailOf(tool, progress);
   if (arguments.out.empty()) std::filesystem::create_directories(userToolFolder());
   saveTool(out, tool);
@@ -113,22 +149,28 @@ void list(const std::string& query, bool json) {
 
 Json listOf(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-Json described(const ShelfTool& tool) {
+// Of its sculpture; nothing of a preset without one.
+void describeClay(const ShelfTool& tool, Json& json) {
+  if (tool.clay.tree.empty() && !tool.preset.empty()) return;
   const auto sculpture = sculptureOf(tool, {});
   const double spacing = tool.clay.scale.spacing;
-  const glm::dvec3 extent = (2.0 * sculpture->halfExtents() - 2.0) * spacing;
-  Json preset = Json::array();
-  for (const Operation& operation : tool.preset) preset.push_back(Json::parse(toText(operation)));
-  return {{"name", tool.name},
-          {"tags", tool.tags},
-          {"spacing", spacing},
-          {"extent", listOf(extent)},
-          {"pivot", listOf((sculpture->centre() + sculpture->pivot()) * spacing)},
-          {"contact", listOf(sculpture->contact())},
-          {"corners", statistics(tool.clay).corners},
-          {"mass", statistics(tool.clay).mass},
-          {"thumbnail_bytes", tool.thumbnail.size()},
-          {"preset", preset}};
+  const FieldStatistics counts = statistics(tool.clay);
+  json["spacing"] = spacing;
+  json["extent"] = listOf((2.0 * sculpture->halfExtents() - 2.0) * spacing);
+  json["pivot"] = listOf((sculpture->centre() + sculpture->pivot()) * spacing);
+  json["contact"] = listOf(sculpture->contact());
+  json["corners"] = counts.corners;
+  json["mass"] = counts.mass;
+}
+
+Json described(const ShelfTool& tool) {
+  Json json{{"name", tool.name}, {"tags", tool.tags}};
+  describeClay(tool, json);
+  json["thumbnail_bytes"] = tool.thumbnail.size();
+  json["preset"] = Json::array();
+  for (const Operation& operation : tool.preset)
+    json["preset"].push_back(Json::parse(toText(operation)));
+  return json;
 }
 
 void show(const std::string& from) {
@@ -141,6 +183,10 @@ void show(const std::string& from) {
 }
 
 void render(const std::string& from, const std::string& out, int size) {
+  requirePictureName(out);
+  std::error_code ignored;
+  if (std::filesystem::equivalent(from, out, ignored))
+    throw Error(out + ": the picture that the tool is made of, another name expected");
   ProgressBar progress;
   ToolSource source;
   source.from = from;
@@ -162,6 +208,10 @@ void addMake(CLI::App& tool) {
       ->add_option("--lasso", a->lasso,
                    "That part, seen through an outline: a region as recordings have it")
       ->excludes(box);
+  command->add_flag("--patch", a->patch,
+                    "What stands on the plane under most of it, undercuts too, without the plane");
+  command->add_option("--plane", a->plane, "A patch on this plane: place x y z and normal x y z")
+      ->expected(6);
   command->add_option("--pivot", a->pivot, "The place that lies on strokes: x y z")->expected(3);
   command->add_option("--contact", a->contact, "Direction to the clay (0 0 -1)")->expected(3);
   command->add_option("--cells", a->source.cells, "Along the longest side of meshes and pictures");
@@ -172,7 +222,9 @@ void addMake(CLI::App& tool) {
   command->add_option("--size", a->source.letterSize,
                       "Of a capital letter with its room, world units");
   command->add_option("--depth", a->source.letterDepth, "Of letters, world units");
-  command->add_option("--preset", a->preset, "A recording whose tool, action, stroke go with it");
+  command->add_option("--preset", a->preset,
+                      "A recording whose tool, action, stroke go with it, or stand alone");
+  command->add_flag("--replace", a->replace, "In the place of a file of that name");
   command->callback([a] { make(*a); });
 }
 

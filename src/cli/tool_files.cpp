@@ -3,6 +3,7 @@
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/render/picture.hpp"
 #include "bozzetto/render/png.hpp"
 
@@ -11,10 +12,8 @@ namespace bozzetto::cli {
 ShelfTool toolFrom(const ToolSource& source, Progress& progress) {
   ToolLibrary library;
   ShelfTool tool = library.load(source, progress);
-  if (source.region) tool.clay = sculptureOf(tool, source)->clay();
-  if (source.pivot) tool.pivot = source.pivot;
-  if (source.contact) tool.contact = source.contact;
-  return tool;
+  const bool isPreset = tool.clay.tree.empty() && !tool.preset.empty() && !source.region;
+  return isPreset ? tool : shapedBy(source, std::move(tool));
 }
 
 namespace {
@@ -35,7 +34,7 @@ void turnToView(const ShelfTool& tool, PictureOptions& options) {
 }  // namespace
 
 Bytes pictureOf(const ShelfTool& tool, int size, Progress& progress) {
-  const Clay& clay = tool.clay;
+  const Clay clay = likenessOf(tool);
   PictureOptions options;
   options.width = options.height = size;
   turnToView(tool, options);
@@ -44,8 +43,16 @@ Bytes pictureOf(const ShelfTool& tool, int size, Progress& progress) {
   return encodePng(renderPicture(surface, clay, options, progress));
 }
 
+void requirePictureName(const std::string& out) {
+  const std::filesystem::path path = out;
+  std::error_code ignored;
+  const bool device = out == "-" || std::filesystem::is_character_file(path, ignored) ||
+                      std::filesystem::is_fifo(path, ignored);
+  if (!device && lower(path.extension().string()) != ".png")
+    throw Error(out + ": pictures are .png files, another name found");
+}
+
 Bytes thumbnailOf(const ShelfTool& tool, Progress& progress) {
-  if (tool.clay.tree.empty()) return {};
   try {
     return pictureOf(tool, 128, progress);
   } catch (const Cancelled&) {

@@ -13,6 +13,9 @@ ShelfTool toolFrom(const ToolSource& source, Progress& progress);
 /// A picture of it, PNG, from where one sees what it is.
 Bytes pictureOf(const ShelfTool& tool, int size, Progress& progress);
 
+/// Throws Error unless the name is one of a picture: other files are not replaced by one.
+void requirePictureName(const std::string& out);
+
 /// A small one for lists; empty, with a note, where nothing can be drawn.
 Bytes thumbnailOf(const ShelfTool& tool, Progress& progress);
 

@@ -1,5 +1,6 @@
 // stroke in JSON.
 #include <algorithm>
+#include <cmath>
 
 #include "sculptor/operation_format.hpp"
 
@@ -89,11 +90,14 @@ Placement readPlacement(JsonObject& object) {
   if (object.has("array")) {
     JsonObject array(object.required("array"), object.where() + ": array");
     const glm::dvec3 count = readVector(array, "count", {1, 1, 1});
-    for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (count[int(a)] != std::floor(count[int(a)])) array.fail("count", "three whole numbers");
       placement.copies[a] = static_cast<int>(std::clamp(count[int(a)], 0.0, 1e6));
+    }
     placement.copyStep = readVector(array, "step", {0, 0, 0});
     array.done();
   }
+  object.checked([&] { requireValid(placement); });
   return placement;
 }
 

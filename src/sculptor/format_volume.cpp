@@ -20,7 +20,7 @@ Lasso readLasso(JsonObject& region) {
   lasso.worldFromView = normalisedRotation(readRotation(view));
   lasso.rays = view.flag("parallel", false) ? LassoRays::parallel : LassoRays::fromEye;
   view.done();
-  requireValid(lasso);
+  region.checked([&] { requireValid(lasso); });
   return lasso;
 }
 
@@ -55,10 +55,29 @@ Json listOf(const WorldRegion& region) {
   return json;
 }
 
+namespace {
+
+PatchSource readPatch(JsonObject& object) {
+  JsonObject json(object.required("patch"), object.where() + ": patch");
+  PatchSource patch;
+  if (json.has("at") || json.has("normal"))
+    patch.plane = {readRequiredVector(json, "at"), readVector(json, "normal", {0, 0, 1})};
+  json.done();
+  return patch;
+}
+
+Json jsonOf(const PatchSource& patch) {
+  if (!patch.plane) return Json::object();
+  return {{"at", listOf(patch.plane->at)}, {"normal", listOf(patch.plane->normal)}};
+}
+
+}  // namespace
+
 ToolSource readSource(JsonObject& object, const char* key) {
   ToolSource source;
   source.from = object.text(key, "");
   if (object.has("region")) source.region = readRegion(object);
+  if (object.has("patch")) source.patch = readPatch(object);
   if (object.has("pivot")) source.pivot = readVector(object, "pivot", {});
   if (object.has("contact")) source.contact = readVector(object, "contact", {});
   source.cells = object.number("cells", source.cells);
@@ -68,6 +87,7 @@ ToolSource readSource(JsonObject& object, const char* key) {
   source.font = object.text("font", "");
   source.letterSize = object.number("size", source.letterSize);
   source.letterDepth = object.number("depth", source.letterDepth);
+  object.checked([&] { requireValid(source); });
   return source;
 }
 
@@ -75,6 +95,7 @@ void writeSource(const ToolSource& source, const char* key, Json& json) {
   const ToolSource usual;
   if (!source.from.empty()) json[key] = source.from;
   if (source.region) json["region"] = listOf(*source.region);
+  if (source.patch) json["patch"] = jsonOf(*source.patch);
   if (source.pivot) json["pivot"] = listOf(*source.pivot);
   if (source.contact) json["contact"] = listOf(*source.contact);
   if (source.cells != usual.cells) json["cells"] = source.cells;

@@ -103,6 +103,16 @@ class JsonObject {
     fail("'" + std::string(key) + "': " + expected + " expected, found " +
          shortText((*json_)[key]));
   }
+  /// Tells with the place what `check` finds wrong.
+  template <class Check>
+  void checked(Check&& check) const {
+    try {
+      check();
+    } catch (const Error& error) {
+      fail(error.what());
+    }
+  }
+
   [[noreturn]] void fail(const std::string& what) const { throw Error(where_ + ": " + what); }
   const std::string& where() const { return where_; }
 

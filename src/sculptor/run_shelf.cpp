@@ -13,7 +13,22 @@ std::vector<ShelfItem>::iterator itemNamed(ToolLibrary& tools, const std::string
   return item;
 }
 
-// What the source means, with what it says of region, pivot and contact.
+// A preset without clay: of a plain shape, or where there is no clay.
+bool standsAlone(const std::vector<Operation>& preset, const ToolSource& source, bool airOnly) {
+  if (preset.empty() || !source.isAtHand() || source.region || source.patch) return false;
+  return airOnly || plainShapeOf(preset) != nullptr;
+}
+
+// A preset that takes a tool of the old name takes that of the new one.
+void renameIn(std::vector<Operation>& preset, const std::string& from, const std::string& to) {
+  for (Operation& operation : preset) {
+    auto* taken = std::get_if<ToolOperation>(&operation);
+    if (taken && taken->source && taken->source->from == "shelf:" + from)
+      taken->source->from = "shelf:" + to;
+  }
+}
+
+// What the source means, with all that it says of it.
 template <int Side>
 ShelfTool toolFrom(const ToolSource& source, Workbench<Side>& bench, const Telling& telling) {
   ShelfTool tool;
@@ -22,23 +37,23 @@ ShelfTool toolFrom(const ToolSource& source, Workbench<Side>& bench, const Telli
   } else {
     tool = bench.tools.load(source, telling.progress);
   }
-  tool.clay = sculptureOf(tool, source)->clay();
-  if (source.region) tool.thumbnail.clear();
-  if (source.pivot) tool.pivot = source.pivot;
-  if (source.contact) tool.contact = source.contact;
-  return tool;
+  const bool isPreset = tool.clay.tree.empty() && !tool.preset.empty() && !source.region;
+  return isPreset ? tool : shapedBy(source, std::move(tool));
 }
 
 }  // namespace
 
 template <int Side>
 void run(const ShelfKeepOperation& operation, Workbench<Side>& bench, const Telling& telling) {
-  ShelfTool tool = toolFrom(operation.source, bench, telling);
+  std::vector<Operation> preset;
+  for (const std::string& line : operation.preset)
+    preset.push_back(parseOperation(line, "shelf_keep: preset"));
+  ShelfTool tool;
+  if (!standsAlone(preset, operation.source, bench.field().tree.empty()))
+    tool = toolFrom(operation.source, bench, telling);
   tool.name = operation.name;
   if (!operation.tags.empty()) tool.tags = operation.tags;
-  if (!operation.preset.empty()) tool.preset.clear();
-  for (const std::string& line : operation.preset)
-    tool.preset.push_back(parseOperation(line, "shelf_keep: preset"));
+  if (!preset.empty()) tool.preset = std::move(preset);
   ShelfItem item = toItem(tool);
   auto& shelf = bench.tools.shelf;
   const auto old = std::ranges::find(shelf, item.name, &ShelfItem::name);
@@ -58,6 +73,7 @@ void run(const ShelfRenameOperation& operation, Workbench<Side>& bench, const Te
     throw Error("the document's shelf holds a '" + operation.to.substr(0, 40) + "' already");
   ShelfTool tool = fromItem(*item);
   tool.name = operation.to;
+  renameIn(tool.preset, operation.name, operation.to);
   if (operation.tags) tool.tags = *operation.tags;
   *item = toItem(tool);
   bench.tools.forget();

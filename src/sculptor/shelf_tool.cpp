@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <glm/common.hpp>
 
 #include "bozzetto/base/text.hpp"
 #include "bozzetto/scene/clay_bytes.hpp"
 #include "bozzetto/scene/scene_file.hpp"
+#include "bozzetto/tool/fill.hpp"
 #include "sculptor/operation_format.hpp"
 #include "sculptor/operation_json.hpp"
 #include "sculptor/tool_notes.hpp"
@@ -57,6 +59,34 @@ void readNotesText(std::string_view text, const std::string& where, ShelfTool& t
 }
 
 }  // namespace
+
+const ToolShape* plainShapeOf(const std::vector<Operation>& preset) {
+  const ToolShape* shape = nullptr;
+  for (const Operation& operation : preset)
+    if (const auto* tool = std::get_if<ToolOperation>(&operation)) shape = &tool->shape;
+  return shape != nullptr && shape->shape != Shape::freeform ? shape : nullptr;
+}
+
+Clay likenessOf(const ShelfTool& tool) {
+  if (!tool.clay.tree.empty()) return tool.clay;
+  constexpr double kCells = 24;
+  Primitive body;
+  if (const ToolShape* shape = plainShapeOf(tool.preset)) {
+    body.shape = shape->shape;
+    body.radii = shape->radii;
+    body.rotation = shape->rotation;
+  }
+  body.radii *= kCells / std::max({body.radii.x, body.radii.y, body.radii.z});
+  body.radii = glm::max(body.radii, 1.0);
+  for (const Operation& operation : tool.preset)
+    if (const auto* doing = std::get_if<ActionOperation>(&operation))
+      body.colour = doing->action.colour;
+  Clay clay;
+  Edit<CornerBlock<8>> edit(clay.tree);
+  fill<8>(edit, clay.scale, body);
+  edit.commit();
+  return clay;
+}
 
 ShelfItem toItem(const ShelfTool& tool) {
   const std::string notes = notesOf(tool).dump();

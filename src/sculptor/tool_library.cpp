@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "bozzetto/io/mesh_file.hpp"
 #include "bozzetto/io/relief.hpp"
@@ -29,6 +30,11 @@ std::string keyOf(const ToolSource& s) {
   key += fmt::format(" {} {} {} {}", s.text, s.font, s.letterSize, s.letterDepth);
   const auto add = [&](const glm::dvec3& v) { key += fmt::format(" {} {} {}", v.x, v.y, v.z); };
   if (s.region) key += " " + listOf(*s.region).dump();
+  key += s.patch ? " patch" : "";
+  if (s.patch && s.patch->plane) {
+    add(s.patch->plane->at);
+    add(s.patch->plane->normal);
+  }
   key += s.pivot ? " pivot" : "";
   if (s.pivot) add(*s.pivot);
   key += s.contact ? " contact" : "";
@@ -82,6 +88,16 @@ fs::path fileIn(const fs::path& folder, const std::string& name) {
 
 }  // namespace
 
+ShelfTool shapedBy(const ToolSource& source, ShelfTool tool) {
+  const auto sculpture = sculptureOf(tool, source);
+  tool.clay = sculpture->clay();
+  if (source.region || source.patch) tool.thumbnail.clear();
+  if (source.pivot || source.patch)
+    tool.pivot = (sculpture->centre() + sculpture->pivot()) * sculpture->scale().spacing;
+  if (source.contact || source.patch) tool.contact = sculpture->contact();
+  return tool;
+}
+
 KeyBox cornersIn(const WorldRegion& region, double spacing) {
   KeyBox corners;
   for (const Axis axis : kAxes) {
@@ -132,7 +148,21 @@ ShelfTool ToolLibrary::find(const std::string& name, Progress& progress) const {
                   name.substr(0, 40), userToolFolder().string()));
 }
 
+void requireValid(const ToolSource& source) {
+  const auto require = [](double number, double low, double high, const char* what) {
+    if (number >= low && number <= high) return;
+    throw Error(fmt::format("tool {}: {:g} found, a number in {:g} to {:g} expected", what, number,
+                            low, high));
+  };
+  require(source.cells, 4, 4096, "cells");
+  require(source.width, 1e-3, 1e6, "width");
+  require(source.height, 1e-3, 1e6, "height");
+  require(source.letterSize, 1e-3, 1e6, "size");
+  require(source.letterDepth, 1e-3, 1e6, "depth");
+}
+
 ShelfTool ToolLibrary::load(const ToolSource& source, Progress& progress) const {
+  requireValid(source);
   if (!source.text.empty()) return letters(folder, source);
   if (source.from.starts_with(kShelf)) return find(source.from.substr(kShelf.size()), progress);
   const fs::path path = folder / source.from;
@@ -149,19 +179,56 @@ ShelfTool ToolLibrary::load(const ToolSource& source, Progress& progress) const 
 std::shared_ptr<const Sculpture> ToolLibrary::sculpture(const ToolSource& source,
                                                         Progress& progress) {
   auto& kept = kept_[keyOf(source)];
-  if (kept == nullptr) kept = sculptureOf(load(source, progress), source);
+  if (kept != nullptr) return kept;
+  const bool fromShelf = source.text.empty() && source.from.starts_with(kShelf);
+  kept = sculptureOf(fromShelf ? shelfTool(source, progress) : load(source, progress), source);
   return kept;
 }
 
+// Another pivot of the same tool needs no second reading.
+const ShelfTool& ToolLibrary::shelfTool(const ToolSource& source, Progress& progress) {
+  auto read = read_.find(source.from);
+  if (read == read_.end()) read = read_.emplace(source.from, load(source, progress)).first;
+  return read->second;
+}
+
+void ToolLibrary::forget() {
+  kept_.clear();
+  read_.clear();
+}
+
+namespace {
+
+// What stands on the plane, its root to the clay and on strokes.
+Clay patchOf(const Clay& clay, const PatchSource& patch, SculptureOptions& options) {
+  const auto plane = patch.plane ? patch.plane : planeUnder(clay);
+  if (!plane) throw Error("patch: no plane found under it; its place and normal expected");
+  Clay standing = standingOn(clay, *plane);
+  const KeyBox bounds = boundsOf(standing);
+  const glm::dvec3 middle = (glm::dvec3(bounds.low.i, bounds.low.j, bounds.low.k) +
+                             glm::dvec3(bounds.high.i, bounds.high.j, bounds.high.k)) *
+                            (clay.scale.spacing / 2);
+  const glm::dvec3 up = glm::normalize(plane->normal);
+  options.contact = -up;
+  if (!bounds.empty()) options.pivot = middle - glm::dot(middle - plane->at, up) * up;
+  return standing;
+}
+
+}  // namespace
+
 std::shared_ptr<const Sculpture> sculptureOf(const ShelfTool& tool, const ToolSource& source) {
   SculptureOptions options;
-  options.pivot = source.pivot ? source.pivot : tool.pivot;
-  options.contact = source.contact.value_or(tool.contact.value_or(options.contact));
+  options.pivot = tool.pivot;
+  options.contact = tool.contact.value_or(options.contact);
   Clay clay = tool.clay;
   if (source.region) clay = partIn(clay, *source.region);
+  if (source.patch) clay = patchOf(clay, *source.patch, options);
+  if (source.pivot) options.pivot = source.pivot;
+  if (source.contact) options.contact = *source.contact;
   if (clay.tree.empty()) {
     const std::string what = source.from.empty() ? "the clay" : source.from;
-    throw Error("freeform tool: " + what + " holds no clay" + (source.region ? " there" : ""));
+    throw Error("freeform tool: " + what + (tool.preset.empty() ? "" : " is a preset and") +
+                " holds no clay" + (source.region || source.patch ? " there" : ""));
   }
   return std::make_shared<Sculpture>(std::move(clay), options);
 }

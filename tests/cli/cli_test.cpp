@@ -291,6 +291,67 @@ TEST(Cli, toolsHaveNamesThatFilesCanHave) {
   EXPECT_EQ(folder.listing(), "ab.bzt r.jsonl s.bzt");
 }
 
+TEST(Cli, toolsAreNotReplacedUnasked) {
+  const CommandFolder folder;
+  const std::string scene = sceneOf(folder, kBall), tool = folder / "t.bzt";
+  const std::string make = "tool make " + scene + " -o ";
+  ASSERT_EQ(runProgram(make + tool + " --tags first").code, 0);
+  const Outcome again = runProgram(make + tool);
+  EXPECT_EQ(again.code, 1);
+  EXPECT_NE(again.err.find("--replace"), std::string::npos) << again.err;
+  EXPECT_NE(runProgram("tool show " + tool).out.find("first"), std::string::npos);
+  EXPECT_EQ(runProgram(make + tool + " --replace --tags second").code, 0);
+  EXPECT_NE(runProgram("tool show " + tool).out.find("second"), std::string::npos);
+  EXPECT_EQ(runProgram(make + (folder / "t.png")).code, 1) << "no name of a tool";
+  for (const std::string& out : {tool, scene, folder / "t.jpg"}) {
+    EXPECT_EQ(runProgram("tool render " + tool + " " + out).code, 1) << out;
+    EXPECT_EQ(runProgram("render " + scene + " " + out).code, 1) << out;
+  }
+  EXPECT_EQ(runProgram("check " + tool).code, 0);
+  EXPECT_EQ(runProgram("check " + scene).code, 0);
+  EXPECT_EQ(folder.listing(), "r.jsonl s.bzt t.bzt");
+}
+
+TEST(Cli, toolsHaveSizesThatToolsCanHave) {
+  const CommandFolder folder;
+  const std::string out = " -o " + (folder / "t.bzt");
+  for (const char* wrong : {"--size 1e9", "--size 0", "--depth 1e30", "--depth nan"}) {
+    const Outcome outcome = runProgram("tool make --text A " + std::string(wrong) + out);
+    EXPECT_EQ(outcome.code, 1) << wrong;
+    EXPECT_NE(outcome.err.find("expected"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(folder.listing(), "");
+}
+
+TEST(Cli, aPresetStandsAlone) {
+  const CommandFolder folder;
+  folder.write("p.jsonl", kHeader +
+                              "{\"op\":\"tool\",\"shape\":\"box\",\"radii\":[4,2,1]}\n"
+                              "{\"op\":\"action\",\"name\":\"remove\",\"strength\":0.25}\n");
+  const std::string tool = folder / "chisel.bzt";
+  const Outcome made = runProgram("tool make --preset " + (folder / "p.jsonl") + " -o " + tool);
+  ASSERT_EQ(made.code, 0) << made.err;
+  const auto json = nlohmann::json::parse(runProgram("tool show " + tool).out);
+  EXPECT_EQ(json["name"], "p");
+  EXPECT_EQ(json["preset"].size(), 2u);
+  EXPECT_EQ(json["preset"][0]["shape"], "box");
+  EXPECT_FALSE(json.contains("mass"));
+  EXPECT_EQ(runProgram("tool make -o " + (folder / "none.bzt")).code, 1);
+  folder.write("e.jsonl", kHeader + "{\"op\":\"fill\"}\n");
+  EXPECT_EQ(
+      runProgram("tool make --preset " + (folder / "e.jsonl") + " -o " + (folder / "x.bzt")).code,
+      1);
+  // On a shelf of a scene without clay, and of one with.
+  for (const char* clay : {"", "{\"op\":\"fill\"}\n"}) {
+    folder.write("k.jsonl",
+                 kHeader + clay +
+                     "{\"op\":\"shelf_keep\",\"name\":\"c\",\"preset\":[{\"op\":\"tool\","
+                     "\"shape\":\"capsule\"}]}\n");
+    const Outcome kept = runProgram("replay " + (folder / "k.jsonl") + " -o " + (folder / "k.bzt"));
+    EXPECT_EQ(kept.code, 0) << kept.err;
+  }
+}
+
 // A lasso that sees the right half of a ball.
 TEST(Cli, toolsAreMadeOfWhatALassoHolds) {
   const CommandFolder folder;

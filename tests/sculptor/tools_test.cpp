@@ -56,15 +56,60 @@ TEST_F(Tools, aLassoCutsAndPutsBack) {
       "\"view\":{\"eye\":[0,0,0],\"parallel\":true}}}\n";
   const Clay body = replayed(kBody), rest = replayed(cut);
   EXPECT_EQ(rest.value({0, 0, 0}), 0);
-  EXPECT_EQ(rest.value({5, 0, 2}), 0) << "as deep as it goes";
-  EXPECT_EQ(rest.value({-5, 0, 0}), body.value({-5, 0, 0}));
+  EXPECT_EQ(rest.value({4, 0, 2}), 0) << "as deep as it goes";
+  EXPECT_EQ(rest.value({-6, 0, 0}), body.value({-6, 0, 0}));
+  EXPECT_EQ(rest.value({-4, 0, 0}), 0.25f) << "its wall slopes as others do";
+  EXPECT_EQ(rest.value({-5, 0, 0}), 0.75f);
   EXPECT_EQ(rest.value({0, 4, 0}), body.value({0, 4, 0}));
-  // Its pivot is the middle of its bounds: corners -4 … 5, -3 … 2 and -4 … 4 have clay.
+  // Its pivot is the middle of its bounds: corners -5 … 6, -4 … 3 and -4 … 4 have clay.
   const Clay again = replayed(cut + "{\"op\":\"stroke\",\"points\":[[0.5,-0.5,0]]}");
   EXPECT_EQ(fieldHash(again), fieldHash(body));
   EXPECT_THROW(replayed("{\"op\":\"cut\",\"region\":{\"lasso\":[[0,0],[1,1]],"
                         "\"view\":{\"eye\":[0,0,0]}}}"),
                Error);
+}
+
+TEST_F(Tools, aPatchIsWithoutItsPlane) {
+  const std::string slab =
+      "{\"op\":\"fill\",\"shape\":\"box\",\"center\":[0,0,-6],\"radii\":[20,20,6]}\n"
+      "{\"op\":\"fill\",\"shape\":\"box\",\"center\":[0,0,5],\"radii\":[4,4,9]}\n";
+  const std::string use =
+      "{\"op\":\"action\",\"name\":\"add\",\"strength\":1}\n"
+      "{\"op\":\"stroke\",\"points\":[[0,0,100]]}";
+  for (const char* patch : {"{}", "{\"at\":[0,0,0],\"normal\":[0,0,2]}"}) {
+    const Clay made =
+        replayed(slab +
+                 "{\"op\":\"tool\",\"shape\":\"freeform\",\"region\":{\"min\":[-20,-20,0],"
+                 "\"max\":[20,20,40]},\"patch\":" +
+                 patch + "}\n" + use);
+    EXPECT_EQ(made.value({0, 0, 108}), 1);
+    EXPECT_FLOAT_EQ(made.value({0, 0, 100}), 0.5f) << "its root stands on the stroke";
+    EXPECT_EQ(made.value({0, 0, 98}), 0);
+    EXPECT_EQ(made.value({12, 0, 100}), 0) << "no sheet of the plane";
+  }
+  EXPECT_THROW(replayed("{\"op\":\"fill\"}\n{\"op\":\"tool\",\"shape\":\"freeform\",\"patch\":{}}"),
+               Error);
+}
+
+TEST_F(Tools, whatIsWrongIsToldWithItsLine) {
+  for (const std::string line :
+       {"{\"op\":\"cut\",\"region\":{\"lasso\":[[0,0],[1,1]],\"view\":{\"eye\":[0,0,0]}}}",
+        "{\"op\":\"tool\",\"shape\":\"freeform\",\"text\":\"A\",\"size\":1e9}",
+        "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"a.png\",\"width\":1e30}",
+        "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"roll\":1e300}",
+        "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"array\":{\"count\":[0,1,1],\"step\":[1,1,1]}}",
+        "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"array\":{\"count\":[1.5,1,1],\"step\":[1,1,1]}}",
+        "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"array\":{\"count\":[2,1,1],\"step\":[0,1,1]}"
+        "}"}) {
+    try {
+      recordingOf("{\"op\":\"fill\"}\n" + line);
+      ADD_FAILURE() << line;
+    } catch (const Error& error) {
+      const std::string text = error.what();
+      EXPECT_TRUE(text.starts_with("test:3: ")) << text;
+      EXPECT_LT(text.size(), 160u) << text;
+    }
+  }
 }
 
 TEST_F(Tools, aRegionOfTheClayAtHand) {

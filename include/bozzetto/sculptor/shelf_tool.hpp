@@ -23,6 +23,11 @@ struct ShelfTool {
   Bytes thumbnail;  ///< a PNG, or empty
 };
 
+/// The plain shape (ball, box …) that these operations put in the hand; null where it is none.
+const ToolShape* plainShapeOf(const std::vector<Operation>& preset);
+/// What pictures of it show: its clay, or of a preset its shape in its colour, a ball without one.
+Clay likenessOf(const ShelfTool& tool);
+
 /// Throws Error for clay that cannot be kept.
 ShelfItem toItem(const ShelfTool& tool);
 /// Throws Error for a payload that is no tool.

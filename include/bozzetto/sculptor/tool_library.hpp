@@ -28,19 +28,24 @@ class ToolLibrary {
   ShelfTool load(const ToolSource& source, Progress& progress = Progress::none()) const;
 
   /// Reads every source again: names mean other tools than before.
-  void forget() { kept_.clear(); }
+  void forget();
 
   /// Recordings that make tools from recordings that make tools …
   int depth = 0;
 
  private:
+  const ShelfTool& shelfTool(const ToolSource& source, Progress& progress);
+
+  std::map<std::string, ShelfTool> read_;  // from shelves, by name
   std::map<std::string, std::shared_ptr<const Sculpture>> kept_;
 };
 
 /// The corners in a region's box.
 KeyBox cornersIn(const WorldRegion& region, double spacing);
 
-/// Of clay, what the source says of region, pivot and contact.
+/// Of clay, what the source says of region, patch, pivot and contact.
 std::shared_ptr<const Sculpture> sculptureOf(const ShelfTool& tool, const ToolSource& source);
+/// The same as a tool to be kept.
+ShelfTool shapedBy(const ToolSource& source, ShelfTool tool);
 
 }  // namespace bozzetto

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bozzetto/tool/combine.hpp"
+#include "bozzetto/tool/patch.hpp"
 
 namespace bozzetto {
 
@@ -18,12 +19,18 @@ struct WorldRegion {
   static constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 };
 
+/// What is sculpted on a plane, without it.
+struct PatchSource {
+  std::optional<ClayPlane> plane{};  ///< without, the one that is found under it
+};
+
 /// Where a freeform tool comes from.
 struct ToolSource {
   /// A file (.bzt; .jsonl, which is replayed; a mesh; .png, which becomes a relief) or
   /// "shelf:NAME"; empty: the clay at hand.
   std::string from;
   std::optional<WorldRegion> region;  ///< that part of it only
+  std::optional<PatchSource> patch;   ///< of that, what stands on a plane
   std::optional<glm::dvec3> pivot;
   std::optional<glm::dvec3> contact;
   double cells = 96;              ///< along the longest side of meshes and pictures
@@ -36,6 +43,10 @@ struct ToolSource {
   /// The clay that is being worked on.
   bool isAtHand() const { return from.empty() && text.empty(); }
 };
+
+/// Throws Error for sizes that are no sizes: what is measured in world units lies in 1e-3 … 1e6,
+/// cells in 4 … 4096.
+void requireValid(const ToolSource& source);
 
 /// union, subtract or intersect the clay with a file's or a shelf's.
 struct CombineOperation {
