@@ -124,7 +124,8 @@ class Atelier {
   void modifiers(Modifiers held) { held_ = held; }
   void puck(const PuckMoved& event);
   void puckButton(const PuckButton& event);
-  void leave() { hover_.inside = false; }
+  /// Between gestures: whether a panel has the pointer.
+  void panelsHavePointer(bool have);
   void drop(const std::vector<std::string>& paths);
   void askToClose();
 
@@ -190,8 +191,12 @@ class Atelier {
   // Shelves (atelier_shelf.cpp).
   void listShelf();
   void takeTool(const ToolEntry& entry);
-  /// What is on the desk, or its part in the workspace box, as a tool of the document.
-  void keepClay(const std::string& name, std::vector<std::string> tags, ShelfDrawer::Part part);
+  /// What is on the desk, its part in the box or lasso, or what the hand holds, as a tool of the
+  /// document.
+  void keepClay(const std::string& name, std::vector<std::string> tags, ShelfDrawer::Part part,
+                std::optional<PatchSource> patch = {});
+  /// The sculpture in the hand with the pivot and contact it has there.
+  void keepStand();
   /// A tool's file, a scene, a recording, a mesh or a grey picture.
   void keepFile(const std::filesystem::path& path);
   /// The same kinds of files as volumes, where they stand in their own world.
@@ -201,7 +206,7 @@ class Atelier {
   void dropTool(const ToolEntry& entry);
   void shareTool(const ToolEntry& entry, const std::filesystem::path& path);
   /// Copies it to the user's library.
-  void keepForUser(const ToolEntry& entry);
+  void keepForUser(const ToolEntry& entry, const std::string& as);
 
   // Parts of the clay, and sculptures as volumes (atelier_parts.cpp).
   /// The next drag draws round a part of the clay.
@@ -238,6 +243,7 @@ class Atelier {
   bool panelsShown = true;
   bool quadBuffer = false;  ///< the window has left and right buffers; whoever draws says so
   bool lightsOpen = false;  ///< the lights' section: their handles show
+  bool standOpen = false;   ///< pivot and contact of the tool in hand are looked at
   bool historyShown = false;
   std::optional<Comparison> comparison;  ///< shown until it is closed
   glm::dvec2 palettePlace{0};
@@ -320,6 +326,7 @@ class Atelier {
   void dragReference(glm::dvec2 to);
   void wheelReference(double notches, Modifiers with);
   std::optional<BoxOutline> boxOutline() const;
+  bool isInside(glm::dvec2 pixel) const;
   void updateHover();
   void movedView(const ViewState& before);
   void moveToolDepth(double notches);
@@ -344,7 +351,7 @@ class Atelier {
   GroundHit heldGround() const;
   ToolShape toolAt(const GroundHit& ground) const;
   HandOperations handAt(const GroundHit& ground) const;
-  void keep(ShelfKeepOperation operation);
+  void keep(ShelfKeepOperation operation, std::function<void()> then = {});
   bool runParts(Command command);
   void beginLasso();
   void drawLasso(glm::dvec2 to);
@@ -391,10 +398,22 @@ class Atelier {
   void addSupports(Overlays& overlays) const;
   ToolGhost bodyOf(const ToolShape& tool, const glm::dvec3& at, double part = 1,
                    ToolDisplay display = ToolDisplay::transparent) const;
-  ToolGhost primitiveGhost(const ToolShape& tool, const GroundHit& ground) const;
-  ToolGhost sculptureGhost(const ToolShape& tool, const GroundHit& ground) const;
+  /// Where the tool stands, how it is turned and how much larger it is than in the hand.
+  struct Stand {
+    glm::dvec3 at{0};  ///< world units
+    glm::dmat3 turn{1};
+    double growth = 1;
+  };
+  Stand standOn(const GroundHit& ground, const ToolShape& tool) const;
+  bool draggedAnchor() const { return maker_ && sculpt.placement.anchored; }
+  ToolGhost primitiveGhost(const ToolShape& tool, const Stand& stand) const;
+  ToolGhost sculptureGhost(const ToolShape& tool, const Stand& stand) const;
+  void addMarks(const ToolShape& tool, const Stand& stand, Overlays& overlays) const;
+  GroundHit middleOfView() const;
   void addRings(Overlays& overlays) const;
   void addTool(Overlays& overlays) const;
+  void addShownTool(Overlays& overlays) const;
+  ToolGhost ghostOf(const ToolShape& tool, const Stand& stand) const;
   void addStage(Overlays& overlays) const;
 
   double now_ = 0, lastInput_ = 0, savedAt_ = -1;

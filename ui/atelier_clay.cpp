@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kKnobPixels = 14;
 
-// `mesh` in cells of the sculpture, from its pivot.
+// `mesh` in cells of the sculpture, from its middle.
 ToolGhost supportGhost(const clay::Support& support, std::shared_ptr<const ToolMesh> mesh,
                        double spacing) {
   const Sculpture& sculpture = *support.sculpture;
@@ -19,8 +19,7 @@ ToolGhost supportGhost(const clay::Support& support, std::shared_ptr<const ToolM
   ToolGhost ghost;
   ghost.mesh = std::move(mesh);
   ghost.cellsFromTool = glm::translate(glm::dmat4(1), support.centre / spacing) * turn *
-                        glm::scale(glm::dmat4(1), cells) *
-                        glm::translate(glm::dmat4(1), sculpture.pivot());
+                        glm::scale(glm::dmat4(1), cells);
   return ghost;
 }
 

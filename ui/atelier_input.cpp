@@ -21,11 +21,20 @@ bool movesView(Gesture gesture) {
 void Atelier::pointer(const PointerMoved& event) {
   const glm::dvec2 to = event.at - corner_;
   pressure_ = event.pressure;
-  hover_.inside = to.x >= 0 && to.y >= 0 && to.x < extent_.width && to.y < extent_.height;
+  hover_.inside = isInside(to);
   if (gesture_ != Gesture::none) dragTo(to);
   pointer_ = to;
   touch();
   if (!movesView(gesture_)) updateHover();
+}
+
+void Atelier::panelsHavePointer(bool have) {
+  if (gesture_ != Gesture::none) return;
+  hover_.inside = !have && isInside(pointer_);
+}
+
+bool Atelier::isInside(glm::dvec2 pixel) const {
+  return pixel.x >= 0 && pixel.y >= 0 && pixel.x < extent_.width && pixel.y < extent_.height;
 }
 
 void Atelier::updateHover() {

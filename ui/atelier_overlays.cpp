@@ -1,6 +1,8 @@
 // What is drawn over the clay: ring, tool, working plane, box.
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "bozzetto/tool/symmetry.hpp"
@@ -68,6 +70,8 @@ Overlays Atelier::overlays() const {
   if ((hover_.inside && !busy && dialog == Dialog::none) || held) {
     if (options.ring) addRings(overlays);
     addTool(overlays);
+  } else if (standOpen && sculpt.isFreeform() && !busy && dialog == Dialog::none) {
+    addShownTool(overlays);
   }
   return overlays;
 }
@@ -83,6 +87,12 @@ void Atelier::addRings(Overlays& overlays) const {
   ring.centre = (held ? heldTool_->position : hover_.point()) / spacing;
   ring.normal = onClay ? hover_.ground->normal : view.back();
   ring.radius = sculpt.size / spacing * coreOf(sculpt);
+  if (draggedAnchor()) {
+    const Stand stand = standOn({}, toolAt(maker_->start()));
+    ring.centre = stand.at / spacing;
+    ring.normal = maker_->start().normal;
+    ring.radius *= stand.growth;
+  }
   ring.ink = inkFor(actionNow(), sculpt.colour);
   const glm::dvec3 centre = sculpt.symmetry.centre / spacing;
   for (const glm::dmat3& image : imagesOf(sculpt.symmetry)) {
@@ -103,11 +113,9 @@ void Atelier::addTool(Overlays& overlays) const {
   if (held) ground = heldGround();
   const ToolShape tool = toolAt(ground);
   if (!held) ground.position += ground.normal * (sculpt.depth * sculpt.size);
-  ToolGhost ghost =
-      tool.shape == Shape::freeform ? sculptureGhost(tool, ground) : primitiveGhost(tool, ground);
-  ghost.display = options.tool;
-  ghost.ink = inkFor(actionNow(), sculpt.colour);
-  overlays.tools.push_back(ghost);
+  const Stand stand = standOn(ground, tool);
+  overlays.tools.push_back(ghostOf(tool, stand));
+  if (standOpen && tool.sculpture) addMarks(tool, stand, overlays);
   if (hover_.ground && !held) return;
   const glm::dvec3 at = ground.position / spacing;
   const double core = coreOf(sculpt);
@@ -118,6 +126,72 @@ void Atelier::addTool(Overlays& overlays) const {
   plane.toolRadius = sculpt.size / spacing * core;
   plane.shadowFloor = status_.stage.floor;
   overlays.plane = plane;
+}
+
+ToolGhost Atelier::ghostOf(const ToolShape& tool, const Stand& stand) const {
+  ToolGhost ghost = tool.sculpture ? sculptureGhost(tool, stand) : primitiveGhost(tool, stand);
+  ghost.display = options.tool;
+  ghost.ink = inkFor(actionNow(), sculpt.colour);
+  return ghost;
+}
+
+// What the pointer would meet in the middle of the view.
+GroundHit Atelier::middleOfView() const {
+  const Ray ray = rayThrough(view, extent_, glm::dvec2(extent_.width, extent_.height) / 2.0);
+  return groundUnder(patches_, ray, status_.scale.spacing)
+      .value_or(GroundHit{view.target, view.back()});
+}
+
+// While its pivot and contact are chosen on a panel.
+void Atelier::addShownTool(Overlays& overlays) const {
+  const GroundHit ground = middleOfView();
+  const ToolShape tool = sculpt.tool(ground.normal, view.back());
+  const Stand stand = standOn(ground, tool);
+  overlays.tools.push_back(ghostOf(tool, stand));
+  if (options.tool == ToolDisplay::hidden) overlays.tools.back().display = ToolDisplay::transparent;
+  addMarks(tool, stand, overlays);
+}
+
+// A ring round the pivot, and an arrow to it the way the tool touches.
+void Atelier::addMarks(const ToolShape& tool, const Stand& stand, Overlays& overlays) const {
+  constexpr int kCorners = 32;
+  constexpr Ink kMark{.373f, .722f, .788f, 1};
+  const double size = sculpt.size / status_.scale.spacing, head = .16 * size;
+  const glm::dvec3 at = stand.at / status_.scale.spacing;
+  const glm::dvec3 down = stand.turn * SculptState::contactOf(tool);
+  const glm::dvec3 helper = std::abs(down.x) < .5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 right = glm::normalize(glm::cross(down, helper)), up = glm::cross(right, down);
+  Polyline ring;
+  ring.ink = kMark;
+  ring.width = 2.5f;
+  ring.hidden = .8f;
+  Polyline shaft = ring, tips = ring, across = ring;
+  ring.closed = true;
+  for (int n = 0; n < kCorners; ++n) {
+    const double turn = 2 * glm::pi<double>() * n / kCorners;
+    ring.points.push_back(at + head * (std::cos(turn) * right + std::sin(turn) * up));
+  }
+  shaft.points = {at - 1.4 * size * down, at};
+  tips.points = {at - head * (1.6 * down - right), at, at - head * (1.6 * down + right)};
+  across.points = {at - head * (1.6 * down - up), at, at - head * (1.6 * down + up)};
+  for (Polyline* line : {&ring, &shaft, &tips, &across}) overlays.lines.push_back(*line);
+}
+
+// An anchored stroke, while it is drawn, stays where it began; the pointer says how large the tool
+// is, and which way it lies if it follows strokes.
+Atelier::Stand Atelier::standOn(const GroundHit& ground, const ToolShape& tool) const {
+  const auto turnOn = [&](const glm::dvec3& normal) {
+    return glm::dmat3(glm::mat3_cast(sculpt.standing(tool, normal)));
+  };
+  if (!draggedAnchor()) return {ground.position, turnOn(ground.normal)};
+  const GroundHit& start = maker_->start();
+  Stand stand{start.position + start.normal * (sculpt.depth * sculpt.size), turnOn(start.normal)};
+  const glm::dvec3 way = maker_->last() - stand.at;
+  if (glm::length(way) > 0) stand.growth = glm::length(way) / sculpt.size;
+  if (!sculpt.placement.alongStroke) return stand;
+  const glm::dvec3 contact = SculptState::contactOf(tool);
+  stand.turn = orientationAlong(contact, -(stand.turn * contact), way).value_or(stand.turn);
+  return stand;
 }
 
 // A primitive tool as something to draw, `part` of its radii large; `at` in cells.
@@ -132,10 +206,11 @@ ToolGhost Atelier::bodyOf(const ToolShape& tool, const glm::dvec3& at, double pa
   return ghost;
 }
 
-ToolGhost Atelier::primitiveGhost(const ToolShape& tool, const GroundHit& ground) const {
+ToolGhost Atelier::primitiveGhost(const ToolShape& tool, const Stand& stand) const {
   ToolShape standing = tool;
-  standing.rotation = sculpt.standing(tool, ground.normal);
-  const glm::dvec3 at = ground.position / status_.scale.spacing;
+  standing.rotation = glm::quat_cast(stand.turn);
+  standing.radii *= stand.growth;
+  const glm::dvec3 at = stand.at / status_.scale.spacing;
   ToolGhost ghost = bodyOf(standing, at, coreOf(sculpt), options.tool);
   if (!options.limit) return ghost;
   const ToolGhost limit = bodyOf(standing, at);
@@ -144,20 +219,15 @@ ToolGhost Atelier::primitiveGhost(const ToolShape& tool, const GroundHit& ground
   return ghost;
 }
 
-// A sculpture stands on its pivot; while an anchored stroke is drawn, where and as large as that
-// will put it.
-ToolGhost Atelier::sculptureGhost(const ToolShape& tool, const GroundHit& ground) const {
+// A sculpture stands on its pivot.
+ToolGhost Atelier::sculptureGhost(const ToolShape& tool, const Stand& stand) const {
   const double spacing = status_.scale.spacing;
-  const bool anchored = maker_ && sculpt.placement.anchored;
-  const GroundHit place = anchored ? maker_->start() : ground;
-  const double reach = anchored ? glm::length(maker_->last() - place.position) : 0;
-  const double factor = reach > 0 ? reach / sculpt.size : 1;
   const double cell = tool.sculpture->scale().spacing / spacing;
   ToolGhost ghost;
   ghost.mesh = sculpt.freeform->mesh;
   ghost.cellsFromTool =
-      placed(place.position / spacing, glm::mat3_cast(sculpt.standing(tool, place.normal)),
-             tool.scale * (cell * factor));
+      glm::translate(placed(stand.at / spacing, stand.turn, tool.scale * (cell * stand.growth)),
+                     -tool.sculpture->pivot());
   return ghost;
 }
 

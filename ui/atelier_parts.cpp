@@ -2,6 +2,7 @@
 // with the clay, taken away from it or met with it at once.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "ui/atelier.hpp"
@@ -10,7 +11,7 @@ namespace bozzetto::ui {
 namespace {
 
 constexpr double kLassoStep = 3;  // pixels between its points
-constexpr const char* kCopy = "copy";
+constexpr const char *kCopy = "copy", *kPart = "part";
 
 Combining combiningOf(Command command) {
   return command == Command::subtractTool    ? Combining::subtract
@@ -26,6 +27,16 @@ glm::dvec2 inPicture(const ViewState& view, const Extent& extent, glm::dvec2 pix
     return glm::dvec2(viewFromWorld * (ray.origin - view.target));
   const glm::dvec3 way = viewFromWorld * ray.direction;
   return glm::dvec2(way) / -way.z;
+}
+
+// Parts take each other's place, but no other tool's.
+std::string nameForCopy(const std::vector<ShelfItem>& shelf) {
+  std::string name = kCopy;
+  const auto taken = [&](const ShelfItem& item) {
+    return item.name == name && std::ranges::find(item.tags, kPart) == item.tags.end();
+  };
+  for (int n = 2; std::ranges::any_of(shelf, taken); ++n) name = fmt::format("{} {}", kCopy, n);
+  return name;
 }
 
 }  // namespace
@@ -91,7 +102,7 @@ std::optional<WorldRegion> Atelier::part() const {
 // It comes into the hand by way of the document's shelf, so that recordings know it.
 void Atelier::takePart(Command how) {
   const WorldRegion region = *part();
-  ShelfKeepOperation copy{kCopy, {"part"}};
+  ShelfKeepOperation copy{kCopy, {kPart}};
   copy.source.region = region;
   ActionOptions adding{ActionKind::add, 1, sculpt.colour};
   adding.ownColours = true;
@@ -99,7 +110,8 @@ void Atelier::takePart(Command how) {
   const bool cuts = how == Command::cutPart;
   const bool lists = shelf.open;
   lasso_.reset();
-  begin(cuts ? "Cutting" : "Copying", [=](ClayDesk& desk, Progress& progress) {
+  begin(cuts ? "Cutting" : "Copying", [=](ClayDesk& desk, Progress& progress) mutable {
+    copy.name = nameForCopy(desk.sculptor().tools().shelf);
     desk.apply(copy, progress);
     if (cuts) desk.apply(CutOperation{region}, progress);
     ToolSource source;

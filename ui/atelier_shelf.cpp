@@ -27,10 +27,18 @@ std::vector<std::string> tagsOf(const std::string& text) {
   return tags;
 }
 
+const ShelfCard* cardNamed(const std::vector<ShelfCard>& cards, const std::string& name) {
+  const ShelfCard* found = nullptr;
+  for (const ShelfCard& card : cards) {
+    if (card.entry.name != name) continue;
+    if (found == nullptr || card.entry.place < found->entry.place) found = &card;
+  }
+  return found;
+}
+
 std::string freeName(const std::vector<ShelfCard>& cards, const std::string& wanted) {
   std::string name = wanted;
-  const auto taken = [&](const ShelfCard& card) { return card.entry.name == name; };
-  for (int n = 2; std::ranges::any_of(cards, taken); ++n) name = wanted + " " + std::to_string(n);
+  for (int n = 2; cardNamed(cards, name) != nullptr; ++n) name = wanted + " " + std::to_string(n);
   return name;
 }
 
@@ -51,25 +59,42 @@ void Atelier::takeTool(const ToolEntry& entry) {
         [source = named(entry.name)](ClayDesk& desk, Progress&) { desk.takeTool(source); });
 }
 
-void Atelier::keep(ShelfKeepOperation operation) {
+void Atelier::keep(ShelfKeepOperation operation, std::function<void()> then) {
   touch();
-  begin("Keeping " + operation.name, [operation](ClayDesk& desk, Progress& progress) {
+  const auto work = [operation](ClayDesk& desk, Progress& progress) {
     desk.apply(operation, progress);
     desk.listShelf();
-  });
+  };
+  begin("Keeping " + operation.name, work, std::move(then));
 }
 
 // With what the hand does now, so that it comes back as it was used.
 void Atelier::keepClay(const std::string& name, std::vector<std::string> tags,
-                       ShelfDrawer::Part wanted) {
+                       ShelfDrawer::Part wanted, std::optional<PatchSource> patch) {
   ShelfKeepOperation operation{name, std::move(tags)};
+  operation.preset = sculpt.preset();
+  if (wanted != ShelfDrawer::Part::toolInHand) operation.source.patch = patch;
+  if (wanted == ShelfDrawer::Part::toolInHand) {
+    if (sculpt.isFreeform()) operation.source = sculpt.freeform->source;
+    operation.preset.insert(operation.preset.begin(), sculpt.presetOfTool("shelf:" + name));
+  }
   if (wanted == ShelfDrawer::Part::insideBox && options.boxSize)
     operation.source.region = WorldRegion{options.boxSize->low, options.boxSize->high, {}};
   if (wanted == ShelfDrawer::Part::insideLasso && lasso_) operation.source.region = part();
-  StrokeOperation made{sculpt.strokeFrom({glm::dvec3(0), 1})};
-  made.stroke.symmetry = {};
-  operation.preset = {toText(ActionOperation{sculpt.options(sculpt.action)}), toText(made)};
   keep(std::move(operation));
+}
+
+// Under its own name, where it takes the place of what it came from; of others, in front of them.
+void Atelier::keepStand() {
+  if (!sculpt.isFreeform()) return;
+  ShelfKeepOperation operation{sculpt.freeform->name};
+  operation.source = sculpt.freeform->source;
+  const auto stands = sculpt.freeform->sculpture;
+  keep(std::move(operation), [this, stands] {
+    if (!sculpt.isFreeform() || sculpt.freeform->sculpture != stands) return;
+    sculpt.freeform->kept = stands;
+    sculpt.freeform->standAsKept();
+  });
 }
 
 void Atelier::keepFile(const fs::path& path) {
@@ -111,8 +136,8 @@ void Atelier::shareTool(const ToolEntry& entry, const fs::path& path) {
   ask([entry, path](ClayDesk& desk) { desk.shareTool(entry.name, path); });
 }
 
-void Atelier::keepForUser(const ToolEntry& entry) {
-  ask([entry](ClayDesk& desk) { desk.keepForUser(entry.name); });
+void Atelier::keepForUser(const ToolEntry& entry, const std::string& as) {
+  ask([entry, as](ClayDesk& desk) { desk.keepForUser(entry.name, as); });
 }
 
 }  // namespace bozzetto::ui

@@ -98,8 +98,8 @@ class ClayDesk {
   void takeTool(const ToolSource& source);
   /// A tool of any place as one file.
   void shareTool(const std::string& name, const std::filesystem::path& path);
-  /// In the user's library.
-  void keepForUser(const std::string& name);
+  /// In the user's library, under that name.
+  void keepForUser(const std::string& name, const std::string& as);
   void dropUserTool(const std::string& name);
   void renameUserTool(const std::string& name, const std::string& to);
 
@@ -160,6 +160,7 @@ class ClayDesk {
   void tellSolid(const SolidRef& solid);
   void poseClay(const SolidRef& solid);
   void picture(ShelfCard& card);
+  void share(ShelfTool tool, const std::filesystem::path& path);
   bool pictureNext();
   void tellStatus();
   void tellSupports();

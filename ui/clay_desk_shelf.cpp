@@ -54,7 +54,7 @@ void ClayDesk::picture(ShelfCard& card) {
       tool = makeStarter(card.entry.name);
       break;
   }
-  auto made = std::make_shared<const Bytes>(tool.thumbnail.empty() ? thumbnailOf(tool.clay)
+  auto made = std::make_shared<const Bytes>(tool.thumbnail.empty() ? thumbnailOf(likenessOf(tool))
                                                                    : tool.thumbnail);
   if (card.entry.place == ToolEntry::Place::starter) starterPictures_[card.entry.name] = made;
   if (card.entry.place == ToolEntry::Place::document) {
@@ -81,20 +81,27 @@ bool ClayDesk::pictureNext() {
 void ClayDesk::takeTool(const ToolSource& source) {
   ToolLibrary& tools = bench().tools();
   const ShelfTool tool = tools.load(source);
-  unprepared_ = tools.sculpture(source);
+  const bool isPreset = tool.clay.tree.empty() && !tool.preset.empty();
+  unprepared_ = isPreset ? nullptr : tools.sculpture(source);
   out_.taken = freeformOf(tool, source, unprepared_);
 }
 
 void ClayDesk::shareTool(const std::string& name, const fs::path& path) {
-  ShelfTool tool = bench().tools().find(name);
-  if (tool.thumbnail.empty()) tool.thumbnail = thumbnailOf(tool.clay);
+  share(bench().tools().find(name), path);
+}
+
+void ClayDesk::share(ShelfTool tool, const fs::path& path) {
+  if (tool.thumbnail.empty()) tool.thumbnail = thumbnailOf(likenessOf(tool));
   saveTool(path, tool);
   note("Saved " + path.filename().string());
 }
 
-void ClayDesk::keepForUser(const std::string& name) {
+void ClayDesk::keepForUser(const std::string& name, const std::string& as) {
+  ShelfTool tool = bench().tools().find(name);
+  tool.name = as;
   fs::create_directories(userToolFolder());
-  shareTool(name, userToolFile(name));
+  share(std::move(tool), userToolFile(as));
+  bench().tools().forget();
   listShelf();
 }
 

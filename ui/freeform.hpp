@@ -12,17 +12,37 @@ namespace bozzetto::ui {
 
 struct Freeform {
   std::string name;
-  ToolSource source;
-  std::shared_ptr<const Sculpture> sculpture;
-  std::shared_ptr<const ToolMesh> mesh;  ///< cells of the sculpture, from its pivot
-  double size = 8;                       ///< largest radius as it was made, world units
-  std::vector<Operation> preset;         ///< what it was kept with
+  ToolSource source;                      ///< says pivot and contact where the hand has moved them
+  std::shared_ptr<const Sculpture> kept;  ///< as the shelf has it; null: a preset without
+  std::shared_ptr<const ToolMesh> mesh;   ///< its cells, from the middle of its bounds
+  double size = 8;                        ///< largest radius as it was made, world units
+  std::vector<Operation> preset;          ///< what it was kept with
+  std::shared_ptr<const Sculpture> sculpture;  ///< as the hand holds it
+
+  /// From the middle of its bounds, in halves of its extent: 1 is its right, upper, front side.
+  glm::dvec3 pivot() const;
+  void setPivot(const glm::dvec3& halves);
+  void setContact(const glm::dvec3& direction);
+  /// With the shelf's pivot and contact.
+  void standAsKept();
+  bool standsAsKept() const { return sculpture == kept; }
+
+ private:
+  void stand();
 };
 
-/// Of a sculpture's surface, in its cells, from its pivot; light enough to be drawn in every frame.
+/// A direction by angles in degrees: 0, 0 is −z, where tools touch as a rule; right and up of it.
+struct Heading {
+  double right = 0, up = 0;
+};
+Heading headingOf(const glm::dvec3& direction);
+glm::dvec3 directionOf(const Heading& heading);
+
+/// Of a sculpture's surface, in its cells, from the middle of its bounds; light enough to be drawn
+/// in every frame.
 std::shared_ptr<const ToolMesh> meshOf(const Sculpture& sculpture);
 
-/// Loads nothing: of a tool that is there. Throws Error for one without clay.
+/// Loads nothing: of a tool that is there; `sculpture` is null for a preset without one.
 Freeform freeformOf(const ShelfTool& tool, const ToolSource& source,
                     std::shared_ptr<const Sculpture> sculpture);
 

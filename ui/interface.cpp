@@ -69,9 +69,7 @@ bool Interface::panelsHaveKeys() const {
 void Interface::feedPointer(const PointerMoved& event) {
   ImGui::GetIO().MousePos = {float(event.at.x), float(event.at.y)};
   movedNow_ = true;
-  const bool captured = atelier_->gesture() != Gesture::none;
   atelier_->pointer(event);
-  if (!captured && panelsHavePointer()) atelier_->leave();
 }
 
 // False: wait for the next frame, when ImGui knows what the pointer is over.
@@ -206,6 +204,8 @@ Publication Interface::frame(glm::dvec2 size, double now) {
   const bool enter = io.KeysDown[int(KeyCode::enter)] || io.KeysDown[int(KeyCode::numpadEnter)];
   io.NavInputs[ImGuiNavInput_Activate] = enter && io.ConfigFlags != 0 ? 1.f : 0.f;
   ImGui::NewFrame();
+  // Now ImGui knows what the pointer is over.
+  if (ImGui::IsMousePosValid()) atelier_->panelsHavePointer(panelsHavePointer());
   build();
   ImGui::Render();
   return fresh;
@@ -214,7 +214,7 @@ Publication Interface::frame(glm::dvec2 size, double now) {
 void Interface::build() {
   const PanelContext context{*atelier_, layout_, pictures, figures};
   drawViewportMarks(context);
-  atelier_->lightsOpen = false;  // whoever draws their section says so
+  atelier_->lightsOpen = atelier_->standOpen = false;  // whoever draws their section says so
   if (layout_.panels) {
     drawTopBar(context);
     drawToolColumn(context);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "ui/icons.hpp"
 #include "ui/panels.hpp"
@@ -162,6 +163,42 @@ void toolSection(Atelier& atelier) {
   }
 }
 
+// Which point of a sculpture lies on strokes, and which side of it meets the clay.
+void standSection(Atelier& atelier) {
+  Freeform& tool = *atelier.sculpt.freeform;
+  glm::dvec3 pivot = tool.pivot();
+  const char* names[] = {"Pivot right", "Pivot up", "Pivot front"};
+  bool moved = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    moved |= slider(names[axis], pivot[axis], {-2, 2, "%", 100, 0},
+                    "What lies on strokes: 0 is the tool's middle, 100 % its side.");
+  }
+  if (moved) tool.setPivot(pivot);
+  constexpr std::array<glm::dvec3, 6> kSides{
+      {{0, 0, -1}, {0, 0, 1}, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}}};
+  int side = -1;
+  for (int n = 0; n < 6; ++n)
+    if (glm::distance(tool.sculpture->contact(), kSides[std::size_t(n)]) < 1e-6) side = n;
+  if (choice("Touches with its", side, {"Back", "Front", "Left", "Right", "Bottom", "Top"},
+             "The side that meets the clay.")) {
+    tool.setContact(kSides[std::size_t(side)]);
+  }
+  Heading heading = headingOf(tool.sculpture->contact());
+  bool turned = slider("Touches to the right", heading.right, {-180, 180, "°", 1, 0},
+                       "Of its back, where tools touch as a rule.");
+  turned |= slider("Touches upward", heading.up, {-90, 90, "°", 1, 0}, "Of its back.");
+  if (turned) tool.setContact(directionOf(heading));
+  const float half = (ImGui::GetContentRegionAvail().x - px(8)) / 2;
+  if (button("Put back", {half, 0}, ButtonKind::plain, "Pivot and contact as it was kept with.")) {
+    tool.standAsKept();
+  }
+  ImGui::SameLine();
+  if (button("Keep so", {half, 0}, ButtonKind::plain,
+             "The tool on this scene's shelf has them from now on.")) {
+    atelier.keepStand();
+  }
+}
+
 void shapeSection(Atelier& atelier) {
   SculptState& sculpt = atelier.sculpt;
   int shape = int(sculpt.shape);
@@ -241,6 +278,8 @@ void drawProperties(const PanelContext& context) {
     toolSection(atelier);
     if (movesClay(atelier.sculpt.action) && section("How clay gives way")) movingSection(atelier);
   }
+  atelier.standOpen = !solid && atelier.sculpt.isFreeform() && section("Pivot and contact", false);
+  if (atelier.standOpen) standSection(atelier);
   if (section("Look")) lookSection(atelier, context.pictures);
   if (section("Colour")) colourSection(atelier);
   if (!solid && section("Tool", false)) shapeSection(atelier);

@@ -2,6 +2,8 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 #include "ui/icons.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
@@ -33,6 +35,12 @@ void askAbout(ShelfDrawer& drawer, Form form, const ToolEntry& entry) {
   for (const std::string& tag : entry.tags) drawer.tags += (drawer.tags.empty() ? "" : " ") + tag;
 }
 
+bool isMine(const ShelfDrawer& drawer, const std::string& name) {
+  return std::ranges::any_of(drawer.cards, [&](const ShelfCard& card) {
+    return card.entry.place == Place::user && card.entry.name == name;
+  });
+}
+
 // What else can be done with a tool.
 void cardMenu(Atelier& atelier, const ToolEntry& entry) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
@@ -45,7 +53,11 @@ void cardMenu(Atelier& atelier, const ToolEntry& entry) {
       atelier.dialog = Dialog::shareTool;
     }
     if (entry.place != Place::user && ImGui::MenuItem("Put into your library")) {
-      atelier.keepForUser(entry);
+      if (isMine(drawer, entry.name)) {
+        askAbout(drawer, Form::replaceMine, entry);
+      } else {
+        atelier.keepForUser(entry, entry.name);
+      }
     }
     if (entry.place != Place::starter) {
       ImGui::Separator();
@@ -131,13 +143,20 @@ bool field(const char* id, const char* hint, std::string& text, ShelfDrawer& dra
   return ImGui::InputTextWithHint(id, hint, &text, ImGuiInputTextFlags_EnterReturnsTrue);
 }
 
-void keepForm(Atelier& atelier) {
+void keepNow(Atelier& atelier) {
   ShelfDrawer& drawer = atelier.shelf;
-  bool done = field("##name", "Name", drawer.name, drawer);
-  done |= field("##tags", "Tags", drawer.tags, drawer);
+  atelier.keepClay(drawer.name, tagsOf(drawer.tags), drawer.part,
+                   drawer.patch ? std::optional(PatchSource{}) : std::nullopt);
+  drawer.form = Form::none;
+}
+
+// Which clay; the box and the lasso are seen at once.
+void choosePart(Atelier& atelier) {
+  ShelfDrawer& drawer = atelier.shelf;
   int part = int(drawer.part);
-  if (choice("##part", part, {"All clay", "In the box", "In a lasso"},
-             "Which clay becomes the tool.")) {
+  if (choice("##part", part, {"All clay", "In the box", "In a lasso", "Tool in hand"},
+             "What is kept: clay as a tool that does what yours does now, or your tool as it is, "
+             "a ball or box too.")) {
     drawer.part = ShelfDrawer::Part(part);
     if (drawer.part == ShelfDrawer::Part::insideLasso && !atelier.lasso())
       atelier.run(Command::lasso);
@@ -146,19 +165,76 @@ void keepForm(Atelier& atelier) {
     }
     atelier.options.box = drawer.part == ShelfDrawer::Part::insideBox;
   }
-  if (drawer.part != ShelfDrawer::Part::allClay) {
-    const bool box = drawer.part == ShelfDrawer::Part::insideBox;
-    ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::dim));
-    ImGui::TextWrapped("%s", box ? "Drag the box's handles around the part."
-                                 : "Draw round the part (Ctrl+L begins again).");
-    ImGui::PopStyleColor();
+  constexpr const char* kHelp[] = {"", "Drag the box's handles around the part.",
+                                   "Draw round the part (Ctrl+L begins again).",
+                                   "With its action, strength, stroke and placement."};
+  if (drawer.part == ShelfDrawer::Part::allClay) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::dim));
+  ImGui::TextWrapped("%s", kHelp[int(drawer.part)]);
+  ImGui::PopStyleColor();
+}
+
+void keepForm(Atelier& atelier) {
+  ShelfDrawer& drawer = atelier.shelf;
+  bool done = field("##name", "Name", drawer.name, drawer);
+  done |= field("##tags", "Tags", drawer.tags, drawer);
+  choosePart(atelier);
+  if (drawer.part != ShelfDrawer::Part::toolInHand) {
+    toggle("Without its plane", drawer.patch,
+           "Only what stands on the plane under most of it; that side meets the clay.");
   }
   const float width = ImGui::GetContentRegionAvail().x;
   done |= button("Keep", {width, 0}, ButtonKind::accent, "Puts it on this scene's shelf.");
   if (!done || drawer.name.empty()) return;
   if (drawer.part == ShelfDrawer::Part::insideLasso && !atelier.lasso()) return;
-  atelier.keepClay(drawer.name, tagsOf(drawer.tags), drawer.part);
-  drawer.form = Form::none;
+  const ShelfCard* taken = cardNamed(drawer.cards, drawer.name);
+  if (taken == nullptr) return keepNow(atelier);
+  drawer.about = taken->entry;
+  drawer.form = Form::replace;
+}
+
+enum class Answer { none, replace, both };
+
+// What has the name, and what becomes of it.
+Answer replaceQuestion(ShelfDrawer& drawer, const std::string& text) {
+  ImGui::TextWrapped("%s", text.c_str());
+  const float half = (ImGui::GetContentRegionAvail().x - px(8)) / 2;
+  Answer answer = Answer::none;
+  if (button("Keep both", {half, 0}, ButtonKind::accent, "The new one gets a name of its own.")) {
+    answer = Answer::both;
+  }
+  ImGui::SameLine();
+  if (button("Replace", {half, 0}, ButtonKind::plain, "The old one is gone for good.")) {
+    answer = Answer::replace;
+  }
+  if (answer != Answer::none) drawer.form = Form::none;
+  return answer;
+}
+
+void replaceForm(Atelier& atelier) {
+  ShelfDrawer& drawer = atelier.shelf;
+  const std::string name = "“" + drawer.name + "”";
+  const bool replaces = drawer.about->place == Place::document;
+  const std::string text =
+      replaces
+          ? name + " is on this scene's shelf already."
+          : name + " is a " +
+                (drawer.about->place == Place::user ? "tool of your library" : "starter tool") +
+                " already; in this scene the new one would hide it.";
+  const Answer answer = replaceQuestion(drawer, text);
+  if (answer == Answer::none) return;
+  if (answer == Answer::both) drawer.name = freeName(drawer.cards, drawer.name);
+  keepNow(atelier);
+}
+
+// Among the user's own tools.
+void replaceMineForm(Atelier& atelier) {
+  ShelfDrawer& drawer = atelier.shelf;
+  const Answer answer =
+      replaceQuestion(drawer, "“" + drawer.about->name + "” is in your library already.");
+  if (answer == Answer::none) return;
+  const std::string& name = drawer.about->name;
+  atelier.keepForUser(*drawer.about, answer == Answer::both ? freeName(drawer.cards, name) : name);
 }
 
 void lettersForm(Atelier& atelier) {
@@ -201,6 +277,10 @@ void form(Atelier& atelier) {
   switch (atelier.shelf.form) {
     case Form::keep:
       return keepForm(atelier);
+    case Form::replace:
+      return replaceForm(atelier);
+    case Form::replaceMine:
+      return replaceMineForm(atelier);
     case Form::letters:
       return lettersForm(atelier);
     case Form::rename:
@@ -216,7 +296,10 @@ float heightOf(const ShelfDrawer& drawer) {
   constexpr float kLine = 34;
   switch (drawer.form) {
     case Form::keep:
-      return px(4 * kLine + (drawer.part != ShelfDrawer::Part::allClay ? 44.f : 4.f));
+      return px(6 * kLine + (drawer.part != ShelfDrawer::Part::allClay ? 44.f : 4.f));
+    case Form::replace:
+    case Form::replaceMine:
+      return px(4 * kLine + 4);
     case Form::letters:
       return px(2 * kLine + 92);
     case Form::rename:

@@ -86,6 +86,7 @@ void drawHelp(const PanelContext& context);
 void drawPalette(const PanelContext& context);
 
 // Sections of the properties panel.
+void standSection(Atelier& atelier);
 void toolSection(Atelier& atelier);
 void shapeSection(Atelier& atelier);
 void lookSection(Atelier& atelier, const UiPictures& pictures);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
@@ -78,9 +79,12 @@ ToolShape SculptState::freeformTool(const glm::dvec3& towardsViewer) const {
 
 glm::dquat SculptState::standing(const ToolShape& made, const glm::dvec3& normal) const {
   if (!placement.toNormal) return made.rotation;
-  const glm::dvec3 contact = made.sculpture ? made.sculpture->contact() : glm::dvec3(0, 0, -1);
-  const glm::dvec3 outward = -(made.rotation * contact);
+  const glm::dvec3 outward = -(made.rotation * contactOf(made));
   return turnBetween(outward, normal) * made.rotation;
+}
+
+glm::dvec3 SculptState::contactOf(const ToolShape& made) {
+  return made.sculpture ? made.sculpture->contact() : glm::dvec3(0, 0, -1);
 }
 
 ToolOperation SculptState::toolOperation(const ToolShape& made) const {
@@ -89,26 +93,67 @@ ToolOperation SculptState::toolOperation(const ToolShape& made) const {
 }
 
 void SculptState::take(const Freeform& taken, double cell) {
-  const bool fits = taken.size > 3 * cell && taken.size < 128 * cell;
-  shape = Shape::freeform;
-  freeform = taken;
-  proportions = glm::dvec3(1);
-  rotation = {1, 0, 0, 0};
-  if (fits) size = taken.size;
-  for (const Operation& operation : taken.preset) {
-    if (const auto* tool = std::get_if<ToolOperation>(&operation)) rotation = tool->shape.rotation;
-    if (const auto* doing = std::get_if<ActionOperation>(&operation)) {
-      action = doing->action.kind;
-      strengthOf(action) = doing->action.strength;
-      ownColours = doing->action.ownColours;
-      if (action == ActionKind::stamp) stamp = doing->action.stamp;
-    }
-    if (const auto* made = std::get_if<StrokeOperation>(&operation)) {
-      spacing = made->stroke.spacing;
-      placement = made->stroke.placement;
-    }
-    if (const auto* clays = std::get_if<ClayOperation>(&operation)) clay = clays->settings;
+  if (taken.kept != nullptr) {
+    const bool fits = taken.size > 3 * cell && taken.size < 128 * cell;
+    shape = Shape::freeform;
+    freeform = taken;
+    proportions = glm::dvec3(1);
+    rotation = {1, 0, 0, 0};
+    if (fits) size = taken.size;
+  } else if (const ToolShape* plain = plainShapeOf(taken.preset)) {
+    takePlain(*plain, cell);
   }
+  for (const Operation& operation : taken.preset) takeUse(operation, cell);
+}
+
+void SculptState::takePlain(const ToolShape& taken, double cell) {
+  drop();
+  shape = taken.shape;
+  profile = taken.profile;
+  const double largest = std::max({taken.radii.x, taken.radii.y, taken.radii.z});
+  size = std::clamp(largest, kSmallestToolCells * cell, 256 * cell);
+  proportions = glm::max(taken.radii / largest, 0.1);
+}
+
+void SculptState::takeUse(const Operation& operation, double cell) {
+  if (const auto* tool = std::get_if<ToolOperation>(&operation)) {
+    rotation = tool->shape.rotation;
+    const glm::dvec3& scale = tool->shape.scale;
+    const double largest = std::max({scale.x, scale.y, scale.z});
+    if (!isFreeform() || !tool->source || !(largest > 0)) return;
+    proportions = glm::max(scale / largest, 0.1);
+    size = std::clamp(largest * freeform->size, kSmallestToolCells * cell, 256 * cell);
+  } else if (const auto* doing = std::get_if<ActionOperation>(&operation)) {
+    action = doing->action.kind;
+    strengthOf(action) = doing->action.strength;
+    ownColours = doing->action.ownColours;
+    if (action == ActionKind::stamp) stamp = doing->action.stamp;
+    if (!isFreeform()) colour = doing->action.colour;
+  } else if (const auto* made = std::get_if<StrokeOperation>(&operation)) {
+    spacing = made->stroke.spacing;
+    placement = made->stroke.placement;
+    if (isFreeform()) return;
+    pressureStrength = made->stroke.pressure.strength;
+    pressureSize = made->stroke.pressure.size;
+  } else if (const auto* clays = std::get_if<ClayOperation>(&operation)) {
+    clay = clays->settings;
+  }
+}
+
+std::vector<std::string> SculptState::preset() const {
+  StrokeOperation made{strokeFrom({glm::dvec3(0), 1})};
+  made.stroke.symmetry = {};
+  std::vector<std::string> lines{toText(ActionOperation{options(action)}), toText(made)};
+  if (movesClay(action)) lines.push_back(toText(ClayOperation{clay}));
+  return lines;
+}
+
+std::string SculptState::presetOfTool(const std::string& from) const {
+  if (!isFreeform()) return toText(ToolOperation{{shape, profile, radii(), rotation}});
+  ToolOperation tool{{shape, profile, {}, rotation}};
+  tool.shape.scale = proportions * (size / freeform->size);
+  tool.source.emplace().from = from;
+  return toText(tool);
 }
 
 void SculptState::drop() {

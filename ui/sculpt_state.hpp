@@ -105,18 +105,26 @@ struct SculptState {
   ActionOptions options(ActionKind kind) const;
   /// The rotation with which a dab stands on a surface with this normal.
   glm::dquat standing(const ToolShape& made, const glm::dvec3& normal) const;
+  /// The side of it that meets the clay, in its own frame.
+  static glm::dvec3 contactOf(const ToolShape& made);
   bool isFreeform() const { return shape == Shape::freeform && freeform.has_value(); }
-  /// Takes a sculpture in the hand, in its own size where that fits cells of `cell`, and does
-  /// what it was kept with.
+  /// Takes a sculpture in the hand, in its own size where that fits cells of `cell`, or a preset,
+  /// and does what it was kept with.
   void take(const Freeform& taken, double cell);
   /// Lets go of the sculpture.
   void drop();
+  /// Operations that bring back what the hand does, without its tool, and the one for that;
+  /// a sculpture will be kept as `from`.
+  std::vector<std::string> preset() const;
+  std::string presetOfTool(const std::string& from) const;
   /// What strokes do with this kind, or with the past.
   ActionOperation operation(ActionKind kind) const;
   /// A stroke that starts at this point.
   Stroke strokeFrom(const StrokePoint& first) const;
 
  private:
+  void takePlain(const ToolShape& taken, double cell);
+  void takeUse(const Operation& operation, double cell);
   ToolShape freeformTool(const glm::dvec3& towardsViewer) const;
 };
 

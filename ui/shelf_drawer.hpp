@@ -10,8 +10,8 @@ namespace bozzetto::ui {
 
 struct ShelfDrawer {
   /// What is asked for at the bottom.
-  enum class Form { none, keep, letters, rename, remove };
-  enum class Part { allClay, insideBox, insideLasso };
+  enum class Form { none, keep, replace, replaceMine, letters, rename, remove };
+  enum class Part { allClay, insideBox, insideLasso, toolInHand };
 
   bool open = false;
   std::vector<ShelfCard> cards;
@@ -20,9 +20,10 @@ struct ShelfDrawer {
 
   Form form = Form::none;
   bool formOpened = false;         ///< it wants the keyboard
-  std::optional<ToolEntry> about;  ///< whom rename, remove and share are about
+  std::optional<ToolEntry> about;  ///< whom replace, rename, remove and share are about
   std::string name, tags, text;
   Part part = Part::allClay;
+  bool patch = false;  ///< of that, what stands on a plane
   double letterSize = 16, letterDepth = 4;
 
   bool shows(const ShelfCard& card) const {
@@ -32,6 +33,8 @@ struct ShelfDrawer {
 
 /// Words separated by commas or spaces.
 std::vector<std::string> tagsOf(const std::string& text);
+/// The card of that name, the scene's own before others; null when there is none.
+const ShelfCard* cardNamed(const std::vector<ShelfCard>& cards, const std::string& name);
 /// "shape" or, where cards have that, "shape 2", "shape 3" …
 std::string freeName(const std::vector<ShelfCard>& cards, const std::string& wanted);
 
