@@ -64,9 +64,12 @@ void Atelier::setProfile(KeyProfile profile) {
 }
 
 void Atelier::setViewport(glm::dvec2 corner, const Extent& extent, double scale) {
+  pointer_ += corner_ - corner;  // it stays where it is in the window
+  const bool moved = corner != corner_;
   corner_ = corner;
   extent_ = extent;
   scale_ = scale;
+  if (moved && gesture_ == Gesture::none) updateHover();
 }
 
 Publication Atelier::poll() {

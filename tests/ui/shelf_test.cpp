@@ -315,8 +315,7 @@ TEST_F(Shelf, aTakenNameIsAskedAbout) {
   EXPECT_EQ(atelier_.shelf.form, ShelfDrawer::Form::none);
   keepAgain();
   settle();
-  const float y = float(at.high.y) - 66;
-  click({at.low.x + 60, y});  // Keep both
+  click({at.low.x + 64, at.high.y - 136});  // Keep both
   EXPECT_NE(card("ball 2"), nullptr);
   EXPECT_EQ(card("ball")->entry.tags, std::vector<std::string>{"first"});
 }
@@ -338,6 +337,7 @@ TEST_F(Shelf, anAnchoredDragShowsTheSizeItWillHave) {
   Placement& placement = atelier_.sculpt.placement;
   placement = {};
   placement.anchored = placement.alongStroke = true;
+  atelier_.sculpt.size = 5;
   moveTo(middle());
   settle();
   const auto lengthOf = [](const glm::dmat4& m) { return glm::length(glm::dvec3(m[1])); };
