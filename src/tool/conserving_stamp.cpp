@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kWidest = 4;  // reference radii
 constexpr int kMostLayers = 64;
-constexpr double kWall = 1.7321;  // cells that a sculpture's density reaches beyond its surface
+constexpr double kWall = 1.7321;   // cells that a sculpture's density reaches beyond its surface
 constexpr int kRoundingBits = 30;  // of the mass pressed what may stay missing: 1e-9
 
 template <int Side>
