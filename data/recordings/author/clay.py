@@ -228,9 +228,14 @@ def chair():
     s.solid("box", [0, 32, 0], [28, 32, 28])
     s.add("support", shape="box", center=[0, -8, 0], radii=[80, 8, 80])
     s.clay(layers=["automaton"])
-    s.move("push", "box", [26, 20, 26], [[0, 88, 14], [0, 58, 14]])
+    s.move("push", "box", [40, 20, 26], [[0, 88, 14], [0, 58, 14]])
+    s.add("support", shape="box", center=[0, 58, 14], radii=[40, 20, 26])
     s.move("push", "box", [12, 12, 60], [[0, -14, 0], [0, 6, 0]])
     s.move("push", "box", [60, 12, 12], [[0, -14, 0], [0, 6, 0]])
+    s.add("tool", shape="ellipsoid", radii=[80, 80, 80])
+    s.add("action", name="smooth", strength=1)
+    for _ in range(3):
+        s.add("stroke", points=[[0, 32, 0]])
     return s
 
 
@@ -245,8 +250,8 @@ def cup():
     for _ in range(6):
         s.add("stroke", points=[[0, 26, 0]])
     s.add("action", name="swell", strength=1)
-    s.add("tool", shape="ellipsoid", radii=[3, 3, 9])
-    for depth in range(25, 31):
+    s.add("tool", shape="ellipsoid", radii=[4, 4, 8])
+    for depth in (24.5, 25.5):
         for points in ([[-11, 28], [11, 28]], [[0, 43], [0, 13]]):
             s.add("stroke", points=[[x, y, depth] for x, y in points])
     return s
