@@ -95,12 +95,13 @@ void colourBalls(Atelier& atelier, const Rect& at) {
   list->AddCircleFilled({x + px(14), y + px(14)}, px(6), ink(atelier.sculpt.second), 24);
 }
 
-// At scale 1.
-float wantedHeight(WorkMode mode) {
+// How far all of the column shrinks, but for the colours in hand.
+float shrinking(WorkMode mode, float height) {
   constexpr float kEnds = 18, kLines = 4 * 9, kColours = 62;
   const bool clay = mode == WorkMode::clay;
   const auto cells = float(clay ? kCells.size() + 2 : kSolidToolCount + 1);
-  return kEnds + kLines + cells * 48 + (clay ? kColours : 0);
+  const float room = height - px(kEnds + (clay ? kColours : 0));
+  return std::min(1.f, room / px(kLines + cells * 48));
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ void drawToolColumn(const PanelContext& context) {
   ImGui::SetNextWindowPos({float(at.low.x), float(at.low.y)});
   ImGui::SetNextWindowSize({float(at.width()), float(at.height())});
   ImGui::Begin("tools", nullptr, kFixed | ImGuiWindowFlags_NoScrollWithMouse);
-  theShrinking = std::min(1.f, float(at.height()) / px(wantedHeight(atelier.mode())));
+  theShrinking = shrinking(atelier.mode(), float(at.height()));
   float y = float(at.low.y) + px(10);
   const float left = std::floor(float(at.centre().x) - toolPx(44) / 2);
   if (atelier.mode() == WorkMode::solid) {
