@@ -116,6 +116,8 @@ void combineButtons(Atelier& atelier) {
 // The middle angle of three is a quarter turn at most.
 void turns(glm::dquat& rotation) {
   glm::dvec3 angles = glm::degrees(glm::eulerAngles(rotation));
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(angles[axis]) < 1e-6) angles[axis] = 0;  // and no −0
   const char* names[] = {"Turn about x", "Turn about y", "Turn about z"};
   bool turned = false;
   for (int axis = 0; axis < 3; ++axis) {
