@@ -78,6 +78,7 @@ ActionOperation readAction(JsonObject& object) {
                                            {"smooth", smooth},
                                            {"stamp", stamp},
                                            {"hold", hold},
+                                           {"free", free},
                                            {"stiffen", stiffen},
                                            {"soften", soften},
                                            {"push", push},

@@ -11,9 +11,9 @@
 namespace bozzetto {
 namespace {
 
-constexpr std::array<std::string_view, 13> kNames{
-    "add",  "remove",  "erase",  "paint", "paint_soft", "smooth", "stamp",
-    "hold", "stiffen", "soften", "push",  "grip",       "swell"};
+constexpr std::array<std::string_view, 14> kNames{
+    "add",  "remove", "erase",   "paint",  "paint_soft", "smooth", "stamp",
+    "hold", "free",   "stiffen", "soften", "push",       "grip",   "swell"};
 
 BOZZETTO_KERNEL bool otherColourKernel(const BlockView& block, Attributes tool) {
   Attributes differs = 0;
@@ -69,6 +69,8 @@ std::unique_ptr<Action> makeAction(const ActionOptions& options, double iso, Too
       return makeStamp(options.stamp.profile, iso, body);
     case ActionKind::hold:
       return makeHold();
+    case ActionKind::free:
+      return makeFree();
     case ActionKind::stiffen:
       return makeStiffen();
     case ActionKind::soften:

@@ -14,6 +14,7 @@ std::unique_ptr<Action> makeStamp(StampProfile profile, double iso, ToolBody bod
 /// Add, paint or paintSoft.
 std::unique_ptr<Action> makeOwnColours(ActionKind kind);
 std::unique_ptr<Action> makeHold();
+std::unique_ptr<Action> makeFree();
 std::unique_ptr<Action> makeStiffen();
 std::unique_ptr<Action> makeSoften();
 

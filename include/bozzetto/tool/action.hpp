@@ -20,7 +20,8 @@ namespace bozzetto {
 ///   smooth      v ← v + s·p·(lowpass(v) − v), colour likewise weighted by density
 ///   stamp       v ← clamp(v + s·def(d)); the bulge rises from clay only (stamp.hpp); sculptures
 ///               press v − s·p, but not below min(v, 1 − p), however many dabs there are
-///   hold        hold grows by s·p of what is left to 255; the clay stays
+///   hold        where hold is less than s it grows by p of what is missing; the clay stays
+///   free        where hold is more than 1 − s it falls by p of what is too much
 ///   stiffen, soften   not on the clay but on what painted stiffness is kept in: o ← o ± s·p
 ///   push, grip, swell   move clay: strokes of these are made by clay/stroke.hpp
 /// The hard ones, erase and paint, ignore s and act where hold < 128.
@@ -33,6 +34,7 @@ enum class ActionKind {
   smooth,
   stamp,
   hold,
+  free,
   stiffen,
   soften,
   push,
@@ -40,7 +42,7 @@ enum class ActionKind {
   swell
 };
 
-/// "add", "remove", "erase", "paint", "paint_soft", "smooth", "stamp", "hold", "stiffen",
+/// "add", "remove", "erase", "paint", "paint_soft", "smooth", "stamp", "hold", "free", "stiffen",
 /// "soften", "push", "grip", "swell".
 std::string_view toText(ActionKind kind);
 std::optional<ActionKind> actionNamed(std::string_view name);
