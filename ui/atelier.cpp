@@ -85,6 +85,7 @@ Publication Atelier::poll() {
   if (fresh.cleared) patches_.clear();
   for (const auto& [key, patch] : fresh.fine) patches_.put(key, patch);
   if (fresh.status) status_ = *fresh.status;
+  showMovedSupport();
   if (fresh.statistics) statistics_ = *fresh.statistics;
   tell(fresh);
   if (fresh.solid) {

@@ -219,7 +219,11 @@ class Atelier {
 
   // Clay that moves (atelier_clay.cpp).
   void placeToolAsSupport(const glm::dvec3& at);
+  /// Shows it so; it is done when the hand lets go.
   void moveSupport(std::size_t n, const clay::Support& support);
+  void settleSupport();
+  /// The document keeps how clay gives way, used or not.
+  void tellClay();
   void dropSupport(std::size_t n);
   bool hoversLight() const { return hover_.inside && lightHandle_.has_value(); }
   bool hoversSupport() const { return hover_.inside && supportAt(pointer_).has_value(); }
@@ -395,6 +399,8 @@ class Atelier {
   void placeTable();
   std::optional<std::size_t> supportAt(glm::dvec2 pixel) const;
   void dragSupport(glm::dvec2 to);
+  void showMovedSupport();
+  void leaveSupport();
   void addSupports(Overlays& overlays) const;
   ToolGhost bodyOf(const ToolShape& tool, const glm::dvec3& at, double part = 1,
                    ToolDisplay display = ToolDisplay::transparent) const;
@@ -474,6 +480,12 @@ class Atelier {
   std::vector<Job> jobs_;
   std::shared_ptr<LongJob> asked_;
   std::function<void()> afterAsking_;
+  struct MovedSupport {
+    std::size_t number;
+    clay::Support before, now;
+  };
+  std::optional<MovedSupport> movedSupport_;
+  std::string toldClay_;  // how clay gives way, as the desk was told last
   ClayWorker worker_;
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <utility>
 
 #include "ui/atelier.hpp"
 
@@ -9,6 +10,8 @@ namespace bozzetto::ui {
 namespace {
 
 constexpr double kKnobPixels = 14;
+constexpr double kTurnPixels = 100;    // for a radian, at scale 1
+constexpr float kSupportBehind = .1f;  // of a support, seen behind clay
 
 // `mesh` in cells of the sculpture, from its middle.
 ToolGhost supportGhost(const clay::Support& support, std::shared_ptr<const ToolMesh> mesh,
@@ -29,6 +32,13 @@ void Atelier::relax() {
   begin("Relaxing",
         [settings = ClayOperation{sculpt.clay}, steps = relaxSteps](
             ClayDesk& desk, Progress& progress) { desk.relax(settings, steps, progress); });
+}
+
+void Atelier::tellClay() {
+  std::string text = toText(ClayOperation{sculpt.clay});
+  if (status_.inStroke || !jobs_.empty() || text == toldClay_) return;
+  toldClay_ = std::move(text);
+  worker_.post([clay = ClayOperation{sculpt.clay}](ClayDesk& desk) { desk.behave(clay); });
 }
 
 // In the workspace box; the first time that is shown.
@@ -66,9 +76,30 @@ void Atelier::placeToolAsSupport(const glm::dvec3& at) {
 
 void Atelier::moveSupport(std::size_t n, const clay::Support& support) {
   touch();
-  worker_.post(
-      [move = SupportMoveOperation{int(n), {support}}](ClayDesk& desk) { desk.moveSupport(move); });
-  status_.clay.supports[n] = support;  // what is drawn need not wait
+  if (!movedSupport_) movedSupport_ = MovedSupport{n, status_.clay.supports[n], support};
+  movedSupport_->now = support;
+  showMovedSupport();
+}
+
+// What is drawn does not wait for the desk, which knows nothing of it yet.
+void Atelier::showMovedSupport() {
+  auto& supports = status_.clay.supports;
+  if (movedSupport_ && movedSupport_->number < supports.size())
+    supports[movedSupport_->number] = movedSupport_->now;
+}
+
+void Atelier::settleSupport() {
+  const auto moved = std::exchange(movedSupport_, std::nullopt);
+  if (moved && !(moved->now == moved->before))
+    apply(SupportMoveOperation{int(moved->number), {moved->now}});
+}
+
+// As it was before it was taken.
+void Atelier::leaveSupport() {
+  if (!movedSupport_) return;
+  movedSupport_->now = movedSupport_->before;
+  showMovedSupport();
+  movedSupport_.reset();
 }
 
 void Atelier::dropSupport(std::size_t n) {
@@ -85,12 +116,24 @@ std::optional<std::size_t> Atelier::supportAt(glm::dvec2 pixel) const {
   return std::nullopt;
 }
 
-// Along the plane that faces the viewer.
+// Along the plane that faces the viewer, with Ctrl towards him; with Shift it turns, as a ball
+// under the pointer would.
 void Atelier::dragSupport(glm::dvec2 to) {
   if (!chosenSupport || *chosenSupport >= status_.clay.supports.size()) return;
   clay::Support support = status_.clay.supports[*chosenSupport];
-  const glm::dvec3 from = onFacingPlane(view, rayThrough(view, extent_, pointer_), support.centre);
-  support.centre += onFacingPlane(view, rayThrough(view, extent_, to), support.centre) - from;
+  const glm::dvec2 by = to - pointer_;
+  if (held_.shift) {
+    const glm::dvec2 angles = by / (kTurnPixels * scale_);
+    const glm::dquat turn =
+        glm::angleAxis(angles.x, view.up()) * glm::angleAxis(angles.y, view.right());
+    support.rotation = glm::normalize(turn * normalisedRotation(support.rotation));
+  } else if (held_.ctrl) {
+    support.centre += view.back() * (by.y * unitsPerPixel(view, extent_, support.centre));
+  } else {
+    const glm::dvec3 from =
+        onFacingPlane(view, rayThrough(view, extent_, pointer_), support.centre);
+    support.centre += onFacingPlane(view, rayThrough(view, extent_, to), support.centre) - from;
+  }
   moveSupport(*chosenSupport, support);
 }
 
@@ -104,6 +147,7 @@ void Atelier::addSupports(Overlays& overlays) const {
                           ? supportGhost(support, status_.supportMeshes[n], spacing)
                           : bodyOf(shape, support.centre / spacing);
     ghost.display = ToolDisplay::transparent;
+    ghost.hidden = kSupportBehind;
     ghost.ink = n == chosenSupport ? Ink(.373f, .722f, .788f, 1) : Ink(.62f, .66f, .72f, 1);
     overlays.tools.push_back(ghost);
   }

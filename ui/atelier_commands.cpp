@@ -167,6 +167,8 @@ bool Atelier::isPossible(Command command) const {
     case Command::copyPart:
     case Command::cutPart:
       return part().has_value() && !patches_.empty();
+    case Command::dropSupport:
+      return chosenSupport && *chosenSupport < status_.clay.supports.size();
     case Command::dropSupports:
       return !status_.clay.supports.empty();
     case Command::relax:
@@ -326,6 +328,9 @@ bool Atelier::runClay(Command command) {
       return true;
     case Command::placeTool:
       placeToolAsSupport(hover_.point());
+      return true;
+    case Command::dropSupport:
+      dropSupport(*chosenSupport);
       return true;
     case Command::dropSupports:
       chosenSupport.reset();

@@ -107,6 +107,7 @@ void Atelier::release(Button) {
   if (gesture_ == Gesture::stroke) endStroke();
   if (gesture_ == Gesture::solid) endSolid();
   if (gesture_ == Gesture::lasso) endLasso();
+  if (gesture_ == Gesture::support) settleSupport();
   gesture_ = Gesture::none;
   updateHover();
 }
@@ -209,7 +210,8 @@ bool Atelier::key(const Chord& chord, bool repeated) {
   if (chord.key == KeyCode::escape) {
     const bool idle = gesture_ == Gesture::none && !paletteOpen && !movingReference;
     if (gesture_ == Gesture::none) dropCurve();
-    if (gesture_ == Gesture::lasso) gesture_ = Gesture::none;
+    if (gesture_ == Gesture::lasso || gesture_ == Gesture::support) gesture_ = Gesture::none;
+    leaveSupport();
     dropParts();
     cancelStroke();
     if (followsStroke()) worker_.giveUpStrokes();

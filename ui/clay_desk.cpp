@@ -45,24 +45,6 @@ void ClayDesk::relax(const ClayOperation& settings, int steps, Progress& progres
   settleHand();
   holdOne(settings, heldClay_);
   apply(RelaxOperation{steps}, progress);
-  account();
-}
-
-void ClayDesk::moveSupport(const SupportMoveOperation& move) {
-  settleHand();
-  bench().apply(move);
-  auto& operations = recording_.operations;
-  const auto* before =
-      operations.empty() ? nullptr : std::get_if<SupportMoveOperation>(&operations.back());
-  if (before != nullptr && before->number == move.number) operations.pop_back();
-  operations.push_back(move);
-  tellStatus();
-}
-
-// The ledger of what should keep the mass.
-void ClayDesk::account() {
-  ++status_.movedSteps;
-  status_.drift += status_.last.massAfter - status_.last.massBefore;
 }
 
 // Strokes take what the hand holds; it is told only when it changes.
@@ -72,6 +54,12 @@ void ClayDesk::holdOne(const Operation& wanted, std::string& held) {
   bench().apply(wanted);
   recording_.operations.push_back(wanted);
   held = std::move(text);
+}
+
+void ClayDesk::behave(const ClayOperation& clay) {
+  if (stroke_ || toText(clay) == toText(ClayOperation{sculptor().clay().settings})) return;
+  holdOne(clay, heldClay_);
+  tellStatus();
 }
 
 void ClayDesk::hold(const HandOperations& hand) {
@@ -138,7 +126,6 @@ void ClayDesk::endStroke() {
   undrape();
   status_.inStroke = false;
   ++status_.version;
-  if (movesClay(sculptor().action().kind)) account();
   status_.lastEditStep = history().place();
   show();
 }
@@ -255,6 +242,7 @@ void ClayDesk::tellStatus() {
   status_.bounds = bounds_;
   if (!status_.inStroke) status_.stage = Stage::around(bounds_);
   status_.mass = status_.last.massAfter;
+  status_.ledger = sculptor().ledger();
   tellSupports();
   tellSolid(sculptor().solid());
   status_.isLit = rest_ != Rest::light;

@@ -61,6 +61,8 @@ class ClayDesk {
 
   // Operations.
   void apply(const Operation& operation, Progress& progress = Progress::none());
+  /// How clay gives way from now on. Not while a stroke is drawn.
+  void behave(const ClayOperation& clay);
   void beginStroke(const HandOperations& hand, Stroke stroke);
   /// Leaves out points after which the stroke would make absurdly much clay, and says so.
   void extendStroke(std::span<const StrokePoint> points);
@@ -80,8 +82,6 @@ class ClayDesk {
 
   /// With these settings from now on.
   void relax(const ClayOperation& settings, int steps, Progress& progress);
-  /// A row of moves of one support is recorded as one.
-  void moveSupport(const SupportMoveOperation& move);
 
   // Solids (clay_desk_solid.cpp).
   void showSolid(const SolidWish& wish);
@@ -155,7 +155,6 @@ class ClayDesk {
   void put(std::vector<UnpackedPatch> patches);
   void showStiffness();
   void hold(const HandOperations& hand);
-  void account();
   void holdOne(const Operation& wanted, std::string& held);
   void tellSolid(const SolidRef& solid);
   void poseClay(const SolidRef& solid);

@@ -75,6 +75,7 @@ enum class Command {
   releaseHold,
   placeTable,
   placeTool,
+  dropSupport,
   dropSupports,
   solidMode,
   solidMove,

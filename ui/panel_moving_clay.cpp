@@ -30,16 +30,29 @@ const LayerRow& rowOf(LayerKind layer) {
   return *std::ranges::find(kLayers, layer, &LayerRow::layer);
 }
 
-// Those that run, in their order, then the others.
-std::vector<LayerKind> ordered(const clay::Settings& settings) {
-  std::vector<LayerKind> all = settings.layers;
-  for (const LayerRow& row : kLayers)
-    if (std::ranges::find(all, row.layer) == all.end()) all.push_back(row.layer);
-  return all;
-}
-
 bool runs(const clay::Settings& settings, LayerKind layer) {
   return std::ranges::find(settings.layers, layer) != settings.layers.end();
+}
+
+// Those of the order that run.
+std::vector<LayerKind> running(const clay::Settings& settings,
+                               const std::vector<LayerKind>& order) {
+  std::vector<LayerKind> found;
+  for (const LayerKind layer : order)
+    if (runs(settings, layer)) found.push_back(layer);
+  return found;
+}
+
+// A layer that is switched off keeps its place. Where others came in the meantime, of another
+// document or tool, these come first.
+void putInOrder(const clay::Settings& settings, std::vector<LayerKind>& order) {
+  if (!order.empty() && running(settings, order) == settings.layers) return;
+  order.clear();
+  const auto add = [&](LayerKind layer) {
+    if (std::ranges::find(order, layer) == order.end()) order.push_back(layer);
+  };
+  for (const LayerKind layer : settings.layers) add(layer);
+  for (const LayerRow& row : kLayers) add(row.layer);
 }
 
 // A small arrow that moves a layer towards the start.
@@ -57,30 +70,44 @@ bool earlier(ImVec2 centre) {
   return clicked;
 }
 
-void layerLine(clay::Settings& settings, LayerKind layer) {
+// True when it runs otherwise now: off, on, or sooner.
+bool layerLine(const clay::Settings& settings, std::vector<LayerKind>& order, LayerKind layer,
+               bool& on) {
   const LayerRow& row = rowOf(layer);
   ImGui::PushID(row.name);
-  auto& layers = settings.layers;
-  const auto at = std::ranges::find(layers, layer);
-  const auto number = at - layers.begin();
-  bool on = at != layers.end();
+  const std::vector<LayerKind> now = running(settings, order);
+  const auto at = std::ranges::find(now, layer);
+  const auto number = at - now.begin();
+  on = at != now.end();
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const std::string name = on ? fmt::format("{}  {}", number + 1, row.name) : row.name;
+  bool changed = false;
   // The arrow lies on the line and takes its clicks first.
   if (on && number > 0) {
-    if (earlier({start.x + width - px(44), start.y + px(9)})) std::iter_swap(at, at - 1);
+    if (earlier({start.x + width - px(44), start.y + px(9)})) {
+      std::iter_swap(std::ranges::find(order, layer), std::ranges::find(order, *(at - 1)));
+      changed = true;
+    }
     ImGui::SetItemAllowOverlap();
     ImGui::SetCursorScreenPos(start);
   }
-  if (toggle(name.c_str(), on, row.tip)) {
-    if (on) {
-      layers.push_back(layer);
-    } else {
-      layers.erase(at);
-    }
-  }
+  changed |= toggle(name.c_str(), on, row.tip);
   ImGui::PopID();
+  return changed;
+}
+
+void layerLines(SculptState& sculpt) {
+  putInOrder(sculpt.clay, sculpt.layerOrder);
+  const std::vector<LayerKind> rows = sculpt.layerOrder;
+  for (const LayerKind layer : rows) {
+    bool on = false;
+    if (!layerLine(sculpt.clay, sculpt.layerOrder, layer, on)) continue;
+    std::vector<LayerKind> wanted;
+    for (const LayerKind each : sculpt.layerOrder)
+      if (each == layer ? on : runs(sculpt.clay, each)) wanted.push_back(each);
+    sculpt.clay.layers = std::move(wanted);
+  }
 }
 
 void diffusion(clay::Settings& settings) {
@@ -115,7 +142,7 @@ void movingSection(Atelier& atelier) {
   clay::Settings& settings = atelier.sculpt.clay;
   slider("Stiffness", settings.stiffness, {0, 1, "%", 100, 0},
          "0 fluid: only what is near gives way; 100 dry: the piece follows.");
-  for (const LayerKind layer : ordered(settings)) layerLine(settings, layer);
+  layerLines(atelier.sculpt);
   int scheme = int(settings.scheme);
   if (choice("Scheme", scheme, {"Projected", "Paper", "In sweeps"},
              "Projected holds at today's sizes; the paper's is Dewaele and Cani to the letter; in "
@@ -140,6 +167,7 @@ void movingSection(Atelier& atelier) {
              "Runs the layers without a tool; one step to undo.")) {
     atelier.run(Command::relax);
   }
+  if (!ImGui::IsAnyItemActive()) atelier.tellClay();
 }
 
 namespace {
@@ -159,10 +187,15 @@ void ledgerSection(Atelier& atelier) {
   if (last.op.empty()) return;
   factLine("Before", fmt::format("{:.8g} mm³", last.massBefore), "The last operation.");
   factLine("Change", fmt::format("{:+.4g} mm³", last.massAfter - last.massBefore));
-  if (status.movedSteps == 0) return;
-  factLine("Moved without loss", grouped((long long)status.movedSteps),
-           "Strokes that move clay, and relaxations, since the scene was opened.");
-  factLine("Drift of these", part(status.drift, status.mass), "All together; 1 ppm is promised.");
+  const MassLedger& ledger = status.ledger;
+  factLine("Added", fmt::format("{:.6g} mm³", ledger.added), "By strokes and shapes that give.");
+  factLine("Removed", fmt::format("{:.6g} mm³", ledger.removed), "By those that take.");
+  if (ledger.dropped > 0)
+    factLine("Smoothed away", fmt::format("{:.4g} mm³", ledger.dropped), "Of what was removed.");
+  if (ledger.moves == 0) return;
+  factLine("Moved without loss", grouped((long long)ledger.moves),
+           "Strokes that move clay, and relaxations.");
+  factLine("Drift of these", part(ledger.drift, status.mass), "All together; 1 ppm is promised.");
 }
 
 void holdSection(Atelier& atelier) {
@@ -199,7 +232,7 @@ void supportLine(Atelier& atelier, std::size_t n, const clay::Support& support) 
   if (ImGui::Selectable(text.c_str(), chosen, 0, {width - px(30), 0})) {
     atelier.chosenSupport = chosen ? std::nullopt : std::optional(n);
   }
-  tooltip("Choose it, then drag its knob in the view, or delete it.");
+  tooltip("Choose it, then drag its knob in the view, or take it away with Delete.");
   ImGui::SameLine();
   ImGui::SetCursorScreenPos({at.x + width - px(22), at.y});
   if (hotArea("drop", {px(20), px(20)})) atelier.dropSupport(n);
@@ -213,22 +246,36 @@ void supportLine(Atelier& atelier, std::size_t n, const clay::Support& support) 
   ImGui::PopID();
 }
 
+// How large it is, where it stands and how it is turned; done when the pointer lets go.
+void placeOf(Atelier& atelier, std::size_t n) {
+  clay::Support support = atelier.status().clay.supports[n];
+  const double cell = atelier.status().scale.spacing;
+  const char* sizes[] = {"Half width", "Half height", "Half depth"};
+  const char* places[] = {"At x", "At y", "At z"};
+  bool changed = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    changed |= slider(sizes[axis], support.radii[axis], {cell, 256 * cell, "mm", 1, 1, true},
+                      "Of the support.");
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const double around = 256 * cell * std::round(support.centre[axis] / (256 * cell));
+    changed |= slider(places[axis], support.centre[axis],
+                      {around - 256 * cell, around + 256 * cell, "mm", 1, 1},
+                      "Of its middle. Drag the knob in the view; with Ctrl nearer and farther.");
+  }
+  changed |= turnSliders(support.rotation, "Of the support. Shift and the knob turn it by hand.");
+  if (changed) atelier.moveSupport(n, support);
+  const bool held = changed || ImGui::IsAnyItemActive() || atelier.gesture() == Gesture::support;
+  if (!held) atelier.settleSupport();
+}
+
 }  // namespace
 
 void supportSection(Atelier& atelier) {
   const auto& supports = atelier.status().clay.supports;
   for (std::size_t n = 0; n < supports.size(); ++n) supportLine(atelier, n, supports[n]);
-  if (atelier.chosenSupport && *atelier.chosenSupport < supports.size()) {
-    clay::Support support = supports[*atelier.chosenSupport];
-    const double cell = atelier.status().scale.spacing;
-    const char* names[] = {"Half width", "Half height", "Half depth"};
-    bool changed = false;
-    for (int axis = 0; axis < 3; ++axis) {
-      changed |= slider(names[axis], support.radii[axis], {cell, 256 * cell, "mm", 1, 1, true},
-                        "Of the support.");
-    }
-    if (changed) atelier.moveSupport(*atelier.chosenSupport, support);
-  }
+  if (atelier.chosenSupport && *atelier.chosenSupport < supports.size())
+    placeOf(atelier, *atelier.chosenSupport);
   const float half = (ImGui::GetContentRegionAvail().x - px(8)) / 2;
   if (button("Table", {half, 0}, ButtonKind::plain, "A board under the clay, as wide as it.")) {
     atelier.run(Command::placeTable);

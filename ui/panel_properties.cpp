@@ -113,21 +113,6 @@ void combineButtons(Atelier& atelier) {
   }
 }
 
-// The middle angle of three is a quarter turn at most.
-void turns(glm::dquat& rotation) {
-  glm::dvec3 angles = glm::degrees(glm::eulerAngles(rotation));
-  for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(angles[axis]) < 1e-6) angles[axis] = 0;  // and no −0
-  const char* names[] = {"Turn about x", "Turn about y", "Turn about z"};
-  bool turned = false;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double most = axis == 1 ? 90 : 180;
-    turned |= slider(names[axis], angles[axis], {-most, most, "°", 1, 0},
-                     "How the tool is turned against what it stands along. Ctrl+F drags it.");
-  }
-  if (turned) rotation = glm::normalize(glm::dquat(glm::radians(angles)));
-}
-
 }  // namespace
 
 void toolSection(Atelier& atelier) {
@@ -151,10 +136,15 @@ void toolSection(Atelier& atelier) {
         strength,
         fmt::format("How much every dab does. {} drags it.", key(Command::dragStrength)).c_str());
   }
-  slider("Spacing", sculpt.spacing, {0.05, 8, "%", 100, 0, true},
-         "Between dabs, as part of the tool's smallest radius.");
+  if (!movesClay(sculpt.action)) {
+    slider("Spacing", sculpt.spacing, {0.05, 8, "%", 100, 0, true},
+           "Between dabs, as part of the tool's smallest radius.");
+  }
   if (row.action == ActionKind::stamp) stampSection(atelier);
-  if (!sculpt.isFreeform()) return falloff(sculpt);
+  if (!sculpt.isFreeform()) {
+    if (!movesClay(sculpt.action)) falloff(sculpt);
+    return;
+  }
   if (row.usesColour) {
     toggle("Its own colours", sculpt.ownColours, "The clay gets the colours of the sculpture.");
   }
@@ -218,7 +208,10 @@ void shapeSection(Atelier& atelier) {
              "Which way the tool's long side points: up, out of the clay, or at you.")) {
     sculpt.alignment = Alignment(alignment);
   }
-  turns(sculpt.rotation);
+  const std::string tip =
+      fmt::format("How the tool is turned against what it stands along. {} drags it.",
+                  atelier.keymap.chordText(Command::dragRotation));
+  turnSliders(sculpt.rotation, tip.c_str());
   slider("Lift", sculpt.depth, {-1, 1, "%", 100, 0},
          "The tool's middle over the surface, as part of its size.");
   if (button("Straighten", {ImGui::GetContentRegionAvail().x, 0}, ButtonKind::plain,
@@ -266,6 +259,16 @@ void colourSection(Atelier& atelier) {
   }
 }
 
+namespace {
+
+// What clay that moves meets.
+void surroundings(Atelier& atelier) {
+  if (section("Held clay", false)) holdSection(atelier);
+  if (section("Supports", false)) supportSection(atelier);
+}
+
+}  // namespace
+
 void drawProperties(const PanelContext& context) {
   Atelier& atelier = context.atelier;
   const Rect& at = context.layout.properties;
@@ -274,11 +277,15 @@ void drawProperties(const PanelContext& context) {
   const ImGuiWindowFlags flags = kFixed & ~ImGuiWindowFlags_NoScrollbar;
   ImGui::Begin("properties", nullptr, flags);
   const bool solid = atelier.mode() == WorkMode::solid;
+  const ActionKind action = atelier.sculpt.action;
+  const bool meets = !solid && (movesClay(action) || action == ActionKind::hold);
   if (solid) {
     solidSections(atelier);
   } else {
     toolSection(atelier);
-    if (movesClay(atelier.sculpt.action) && section("How clay gives way")) movingSection(atelier);
+    if (movesClay(action) && section("How clay gives way")) movingSection(atelier);
+    if (meets) surroundings(atelier);
+    if (meets && section("Mass", false)) ledgerSection(atelier);
   }
   atelier.standOpen = !solid && atelier.sculpt.isFreeform() && section("Pivot and contact", false);
   if (atelier.standOpen) standSection(atelier);
@@ -292,9 +299,8 @@ void drawProperties(const PanelContext& context) {
   if (atelier.lightsOpen) lightSection(atelier);
   if (section("View", false)) viewSection(atelier);
   if (section("References", false)) referenceSection(atelier);
-  if (!solid && section("Held clay", false)) holdSection(atelier);
-  if (!solid && section("Supports", false)) supportSection(atelier);
-  if (section("Mass", false)) ledgerSection(atelier);
+  if (!solid && !meets) surroundings(atelier);
+  if (!meets && section("Mass", false)) ledgerSection(atelier);
   if (section("Clay")) claySection(atelier);
   if (section("Performance", false)) performanceSection(atelier, context.figures);
   ImGui::End();

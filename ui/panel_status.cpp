@@ -45,7 +45,7 @@ std::vector<Hint> draggingHints(Gesture gesture) {
     case Gesture::solid:
       return {{"", {}, "Let go to do it"}, {"Esc", {}, "As before"}};
     case Gesture::support:
-      return {{"", {}, "Moving the support"}};
+      return {{"Shift", {}, "Turn it"}, {"Ctrl", {}, "Nearer, farther"}, {"Esc", {}, "As before"}};
     case Gesture::reference:
       return {{"", {}, "Moving the picture"}};
     case Gesture::lightHandle:
@@ -111,7 +111,10 @@ std::vector<Hint> restingHints(const Atelier& atelier) {
   if (atelier.hoversLight()) {
     return {{"", MousePart::left, "Move this light; beyond the rim it goes behind the clay"}};
   }
-  if (atelier.hoversSupport()) return {{"", MousePart::left, "Move the support"}};
+  if (atelier.hoversSupport())
+    return {{"", MousePart::left, "Move the support"},
+            {"Shift", MousePart::left, "Turn it"},
+            {"Ctrl", MousePart::left, "Nearer, farther"}};
   const bool turns = sculpt.emptyDrag == EmptyDrag::orbit && !atelier.hover().ground;
   if (blender && held.alt) {
     hints.push_back({"", MousePart::left, "Orbit"});

@@ -71,8 +71,7 @@ struct ClayStatus {
   clay::Setup clay;                ///< what strokes that move clay meet
   /// Of the supports, in their order; null for those that are no sculptures.
   std::vector<std::shared_ptr<const ToolMesh>> supportMeshes;
-  std::size_t movedSteps = 0;  ///< strokes that moved clay, and relaxations, since opened
-  double drift = 0;            ///< of the mass, over these
+  MassLedger ledger;
   Keeping keeping;
 };
 

@@ -19,12 +19,13 @@ constexpr std::array<ToolRow, kToolCount> kTools{{
     {paintSoft, Icon::softPaint, "Soft paint", "Paint", "colour that fades out", paint, true, true},
     {smooth, Icon::smooth, "Smooth", "Smooth", "evens out bumps", smooth, true, false},
     {stamp, Icon::stamp, "Stamp", "Print", "prints, and clay rises round it", add, true, false},
-    {hold, Icon::hold, "Hold", "Hold", "keeps clay as it is", hold, true, false},
+    {hold, Icon::hold, "Hold", "Hold", "keeps clay as it is", free, true, false},
+    {free, Icon::hold, "Let go", "Let go", "what was held moves again", hold, true, false},
     {stiffen, Icon::stiffen, "Stiffen", "Stiffen", "keeps its form when moved", soften, true,
      false},
     {soften, Icon::soften, "Soften", "Soften", "gives way sooner", stiffen, true, false},
-    {push, Icon::push, "Push", "Push", "clay gives way, none is lost", push, true, false},
-    {grip, Icon::grip, "Grip", "Grip", "drags clay along", grip, true, false},
+    {push, Icon::push, "Push", "Push", "clay gives way, none is lost", push, false, false},
+    {grip, Icon::grip, "Grip", "Grip", "drags clay along", grip, false, false},
     {swell, Icon::swell, "Swell", "Swell", "clay swells out", swell, true, false},
 }};
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "bozzetto/clay/settings.hpp"
 #include "bozzetto/sculptor/operation.hpp"
@@ -44,7 +45,7 @@ struct ToolRow {
   bool usesColour;
 };
 
-inline constexpr int kToolCount = 13;
+inline constexpr int kToolCount = 14;
 std::span<const ToolRow, kToolCount> toolTable();
 const ToolRow& rowOf(ActionKind action);
 
@@ -70,7 +71,7 @@ struct SculptState {
   Alignment alignment = Alignment::normal;
   /// By action, in ActionKind's order.
   std::array<double, kToolCount> strength{0.35, 0.35, 1,   1,   0.6, 0.6, 0.8,
-                                          0.6,  0.5,  0.5, 0.7, 0.8, 0.5};
+                                          1,    1,    0.5, 0.5, 0.7, 0.8, 0.5};
   double depth = 0;  ///< of the tool's centre over the surface, in radii
   Colour colour, second{0xdc, 0xcb, 0xaa};
 
@@ -86,6 +87,8 @@ struct SculptState {
   bool ownColours = false;           ///< adds and paints with the sculpture's colours
   StampOptions stamp;
   clay::Settings clay;  ///< how clay gives way to what moves it
+  /// All layers in the order in which they run or, while they are off, would run.
+  std::vector<clay::LayerKind> layerOrder;
 
   bool air = true;  ///< strokes may start in empty air
   EmptyDrag emptyDrag = EmptyDrag::sculpt;
@@ -94,8 +97,9 @@ struct SculptState {
   std::optional<StepNumber> recall;
   double recallStrength = 0.7;
 
-  double& strengthOf(ActionKind kind) { return strength[std::size_t(kind)]; }
-  double strengthOf(ActionKind kind) const { return strength[std::size_t(kind)]; }
+  /// Holding and letting go share one.
+  double& strengthOf(ActionKind kind) { return strength[placeOf(kind)]; }
+  double strengthOf(ActionKind kind) const { return strength[placeOf(kind)]; }
   glm::dvec3 radii() const { return proportions * size; }
 
   /// The tool standing on a surface with this normal, seen from `towardsViewer`.
@@ -125,6 +129,9 @@ struct SculptState {
  private:
   void takePlain(const ToolShape& taken, double cell);
   void takeUse(const Operation& operation, double cell);
+  static std::size_t placeOf(ActionKind kind) {
+    return std::size_t(kind == ActionKind::free ? ActionKind::hold : kind);
+  }
   ToolShape freeformTool(const glm::dvec3& towardsViewer) const;
 };
 

@@ -119,6 +119,20 @@ bool slider(const char* label, double& value, const Slide& slide, const char* ti
   return changed;
 }
 
+bool turnSliders(glm::dquat& rotation, const char* tip) {
+  glm::dvec3 angles = glm::degrees(glm::eulerAngles(rotation));
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(angles[axis]) < 1e-6) angles[axis] = 0;  // and no −0
+  const char* names[] = {"Turn about x", "Turn about y", "Turn about z"};
+  bool turned = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double most = axis == 1 ? 90 : 180;
+    turned |= slider(names[axis], angles[axis], {-most, most, "°", 1, 0}, tip);
+  }
+  if (turned) rotation = glm::normalize(glm::dquat(glm::radians(angles)));
+  return turned;
+}
+
 bool toggle(const char* label, bool& on, const char* tip) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -2,6 +2,7 @@
 #pragma once
 #include <imgui.h>
 
+#include <glm/gtc/quaternion.hpp>
 #include <string>
 
 #include "ui/keymap.hpp"
@@ -25,6 +26,10 @@ bool hotArea(const char* id, ImVec2 size);
 
 /// Label left, value right, a track below; Ctrl+click types a number. True while it changes.
 bool slider(const char* label, double& value, const Slide& slide, const char* tip);
+
+/// A rotation as angles about x, y and z; the middle one is a quarter turn at most. True while it
+/// changes.
+bool turnSliders(glm::dquat& rotation, const char* tip);
 
 /// True when it was switched.
 bool toggle(const char* label, bool& on, const char* tip);

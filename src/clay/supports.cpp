@@ -6,6 +6,15 @@
 #include "bozzetto/tool/relative.hpp"
 
 namespace bozzetto::clay {
+namespace {
+
+DabPose poseOf(const Support& support, double spacing) {
+  const Key origin = cellOf(support.centre, spacing, "support centre");
+  return {origin, relativeTo(origin, support.centre, spacing),
+          glm::mat3_cast(normalisedRotation(support.rotation)), support.radii / spacing};
+}
+
+}  // namespace
 
 PlacedTool place(std::unique_ptr<Solid> solid, const DabPose& pose, Role role) {
   PlacedTool tool;
@@ -20,10 +29,7 @@ PlacedTool place(std::unique_ptr<Solid> solid, const DabPose& pose, Role role) {
 std::vector<PlacedTool> placeSupports(const std::vector<Support>& supports, double spacing) {
   std::vector<PlacedTool> placed;
   for (const Support& support : supports) {
-    const Key origin = cellOf(support.centre, spacing, "support centre");
-    const DabPose pose{origin, relativeTo(origin, support.centre, spacing),
-                       glm::mat3_cast(normalisedRotation(support.rotation)),
-                       support.radii / spacing};
+    const DabPose pose = poseOf(support, spacing);
     auto solid = support.shape == Shape::freeform ? makeSolid(support.sculpture, pose)
                                                   : makeSolid(support.shape, pose);
     placed.push_back(place(std::move(solid), pose, Role::support));
@@ -49,6 +55,15 @@ void requireValid(const Support& support) {
       throw Error("support radius: " + std::to_string(support.radii[axis]) +
                   " found, a number above 0 expected");
     }
+}
+
+void requireInWorkspace(const Support& support, double spacing) {
+  const DabPose pose = poseOf(support, spacing);
+  try {
+    dabBox(pose);
+  } catch (const Error& error) {
+    throw Error(std::string("support: ") + error.what());
+  }
 }
 
 }  // namespace bozzetto::clay

@@ -1,6 +1,7 @@
 // bozzetto info SCENE: what is in it, for people or as one JSON object.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -25,6 +26,15 @@ Json boundsOf(const MeshReport& mesh) {
   return {{"min", listOf(mesh.bounds.min)}, {"max", listOf(mesh.bounds.max)}};
 }
 
+// `before`: what was there when the ledger began.
+Json ledgerIn(const SceneParts& parts, double mass, const std::string& path) {
+  const MassLedger ledger = ledgerOf(parts, path);
+  const double before = mass - ledger.total();
+  const bool rounding = std::abs(before) <= 1e-12 * (mass + ledger.added + ledger.removed);
+  return {{"before", rounding ? 0 : before}, {"added", ledger.added}, {"removed", ledger.removed},
+          {"dropped", ledger.dropped},       {"moves", ledger.moves}, {"drift", ledger.drift}};
+}
+
 std::size_t historySteps(const std::string& path) {
   return Session::look(path).sculptor().history().tree().size();
 }
@@ -45,6 +55,7 @@ Json describe(const std::string& path, const Document& document) {
           {"triangles", shape.triangles},
           {"components", mesh.components},
           {"mass", matter.mass},
+          {"ledger", ledgerIn(document.parts, matter.mass, path)},
           {"volume", mesh.volume},
           {"area", mesh.area},
           {"bounds", boundsOf(mesh)},
@@ -59,6 +70,11 @@ Json describe(const std::string& path, const Document& document) {
           {"bytes_thumbnail", document.parts.thumbnail.size()}};
 }
 
+void printLedger(const Json& ledger) {
+  for (const auto& [name, value] : ledger.items())
+    fmt::print("{:<15} {}\n", "  mass " + name, value.dump());
+}
+
 void run(const std::string& path, bool json) {
   ProgressBar progress;
   const Document document = loadScene(path, progress);
@@ -69,6 +85,10 @@ void run(const std::string& path, bool json) {
     return;
   }
   for (const auto& [name, value] : description.items()) {
+    if (name == "ledger") {
+      printLedger(value);
+      continue;
+    }
     fmt::print("{:<15} {}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
   }
 }

@@ -75,6 +75,7 @@ std::vector<OperationReport> replayToFile(const Arguments& arguments, const Reco
   options.supports = document.parts.supports;
   options.stiffness = document.parts.stiffness;
   options.settings = settingsOf(document.parts, arguments.from);
+  options.ledger = ledgerOf(document.parts, arguments.from);
   ReplayResult result = replay(recording, document.field, options, progress);
   document.field = std::move(result.field);
   document.parts.solid = encodeSolid(result.solid);
@@ -82,6 +83,7 @@ std::vector<OperationReport> replayToFile(const Arguments& arguments, const Reco
   document.parts.supports = std::move(result.supports);
   document.parts.stiffness = std::move(result.stiffness);
   keepSettings(result.settings, document.parts);
+  putLedger(result.ledger, document.parts);
   document.parts.thumbnail = thumbnailOf(document.field);
   saveScene(arguments.out, document, progress);
   return std::move(result.reports);

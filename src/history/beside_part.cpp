@@ -1,4 +1,6 @@
-#include "history/solid_part.hpp"
+#include "history/beside_part.hpp"
+
+#include <algorithm>
 
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/base/hash.hpp"
@@ -25,8 +27,6 @@ void putHalf(ByteWriter& out, const SolidRef& from, const SolidRef& to) {
   out.put(std::span<const std::byte>(delta));
 }
 
-}  // namespace
-
 Bytes encodeSolidPart(const SolidRef& before, const SolidRef& after) {
   ByteWriter out;
   if (before == after || (before && after && *before == *after)) return out.take();
@@ -49,6 +49,93 @@ SolidRef solidBeyond(const SolidRef& here, std::span<const std::byte> part, Dire
   SolidRef there = applySolidDelta(here, half.delta, name);
   if (hashOf(there) != half.hash) throw Error(name + ": leads to another solid than it did");
   return there;
+}
+
+std::span<const std::byte> bytesOf(const BytesRef& ref) {
+  return ref ? std::span<const std::byte>(*ref) : std::span<const std::byte>();
+}
+
+BytesRef copyOf(std::span<const std::byte> a, std::span<const std::byte> b = {}) {
+  if (a.empty() && b.empty()) return nullptr;
+  Bytes bytes(a.begin(), a.end());
+  bytes.insert(bytes.end(), b.begin(), b.end());
+  return std::make_shared<const Bytes>(std::move(bytes));
+}
+
+// Supports end with their sculptures, which most steps keep: what both end with is written once.
+Bytes encodeBytesPart(const BytesRef& before, const BytesRef& after) {
+  ByteWriter out;
+  const auto old = bytesOf(before), now = bytesOf(after);
+  if (std::ranges::equal(old, now)) return out.take();
+  const auto ends = std::mismatch(old.rbegin(), old.rend(), now.rbegin(), now.rend());
+  const auto common = static_cast<std::size_t>(ends.first - old.rbegin());
+  out.put(static_cast<std::uint32_t>(old.size() - common));
+  out.put(static_cast<std::uint32_t>(now.size() - common));
+  out.put(old.first(old.size() - common));
+  out.put(now.first(now.size() - common));
+  out.put(old.last(common));
+  return out.take();
+}
+
+BytesRef bytesBeyond(const BytesRef& here, std::span<const std::byte> part, Direction direction,
+                     const std::string& name) {
+  if (part.empty()) return here;
+  ByteReader in(part, name);
+  const auto oldBytes = in.get<std::uint32_t>();
+  const auto newBytes = in.get<std::uint32_t>();
+  const auto old = in.take(oldBytes), now = in.take(newBytes), common = in.take(in.remaining());
+  return copyOf(direction == Direction::forward ? now : old, common);
+}
+
+// Each with its length before it.
+Bytes joined(std::span<const std::byte> solid, std::span<const std::byte> supports,
+             std::span<const std::byte> ledger) {
+  ByteWriter out;
+  if (solid.empty() && supports.empty() && ledger.empty()) return out.take();
+  for (const auto& each : {solid, supports, ledger}) {
+    out.put(static_cast<std::uint32_t>(each.size()));
+    out.put(each);
+  }
+  return out.take();
+}
+
+struct Parts {
+  std::span<const std::byte> solid{}, supports{}, ledger{};
+};
+
+Parts partsOf(std::span<const std::byte> bytes, BesideForm form, const std::string& name) {
+  Parts parts{bytes};
+  if (form == BesideForm::solidAlone || bytes.empty()) return parts;
+  ByteReader in(bytes, name);
+  for (auto* part : {&parts.solid, &parts.supports, &parts.ledger})
+    *part = in.take(in.get<std::uint32_t>());
+  if (in.remaining() > 0) throw Error(name + ": bytes too many beside the clay");
+  return parts;
+}
+
+}  // namespace
+
+Bytes encodeBesidePart(const Beside& before, const Beside& after) {
+  return joined(encodeSolidPart(before.solid, after.solid),
+                encodeBytesPart(before.supports, after.supports),
+                encodeBytesPart(before.ledger, after.ledger));
+}
+
+Beside besideBeyond(const Beside& here, std::span<const std::byte> part, Direction direction,
+                    BesideForm form, const std::string& name) {
+  const Parts parts = partsOf(part, form, name);
+  return {solidBeyond(here.solid, parts.solid, direction, name),
+          bytesBeyond(here.supports, parts.supports, direction, name),
+          bytesBeyond(here.ledger, parts.ledger, direction, name)};
+}
+
+Bytes encodeBeside(const Beside& beside) {
+  return joined(encodeSolid(beside.solid), bytesOf(beside.supports), bytesOf(beside.ledger));
+}
+
+Beside decodeBeside(std::span<const std::byte> bytes, BesideForm form, const std::string& name) {
+  const Parts parts = partsOf(bytes, form, name);
+  return {decodeSolid(parts.solid, name), copyOf(parts.supports), copyOf(parts.ledger)};
 }
 
 }  // namespace bozzetto::undo

@@ -56,14 +56,16 @@ class DeltaCache {
 
   // Along a branch what is after a step is before the next: one side counts.
   static std::size_t bytesOf(const Change& change) {
-    const std::size_t solid =
+    const std::size_t beside =
         change.before == change.after ? 0 : std::max(bytesOf(change.before), bytesOf(change.after));
-    return bytesOf(*change.clay) + solid;
+    return bytesOf(*change.clay) + beside;
   }
 
   // Points with names, places and velocities; faces and cells are about as much again.
-  static std::size_t bytesOf(const SolidRef& solid) {
-    return solid ? solid->control.points.size() * 200 + sizeof(Solid) : 0;
+  static std::size_t bytesOf(const Beside& beside) {
+    const SolidRef& solid = beside.solid;
+    const std::size_t supports = beside.supports ? beside.supports->size() : 0;
+    return supports + (solid ? solid->control.points.size() * 200 + sizeof(Solid) : 0);
   }
 
   static std::size_t bytesOf(const Delta<CornerBlock<Side>>& delta) {

@@ -38,14 +38,14 @@ template <int Side>
 History<Side>::~History() = default;
 
 template <int Side>
-StepNumber History<Side>::push(DeltaPointer delta, StepNote note, SolidRef solid, Bytes thumbnail) {
+StepNumber History<Side>::push(DeltaPointer delta, StepNote note, Beside beside, Bytes thumbnail) {
   State& state = *state_;
   const Step step = state.newStep(*delta, std::move(note));
   state.parts.tree.add(step);
   state.parts.tree.moveTo(step.number);
   state.parts.scale = step.note.after;
-  typename State::Change change{std::move(delta), state.parts.solid, solid};
-  state.parts.solid = std::move(solid);
+  typename State::Change change{std::move(delta), state.parts.beside, beside};
+  state.parts.beside = std::move(beside);
   state.cache.put(step.number, change);
   if (state.parts.journal) {
     state.parts.journal->add(typename undo::Journal<Side>::StepEvent{
@@ -61,13 +61,13 @@ const StepTree& History<Side>::tree() const {
 }
 
 template <int Side>
-const SolidRef& History<Side>::solid() const {
-  return state_->parts.solid;
+const Beside& History<Side>::beside() const {
+  return state_->parts.beside;
 }
 
 template <int Side>
-void History<Side>::placeSolid(SolidRef solid) {
-  state_->parts.solid = std::move(solid);
+void History<Side>::place(Beside beside) {
+  state_->parts.beside = std::move(beside);
 }
 
 template <int Side>
@@ -120,7 +120,7 @@ typename History<Side>::Journey History<Side>::goTo(StepNumber target, Tree& cla
   Edit<Block> edit(clay);
   const auto legs = tree.path(tree.place(), target);
   const StepNumber lost = state.walk(
-      legs, edit.tree(), state.parts.solid, journey.trouble,
+      legs, edit.tree(), state.parts.beside, journey.trouble,
       [&](const StepTree::Leg& leg, const Delta<Block>& delta) {
         const bool forward = leg.direction == Direction::forward;
         for (const auto& change : delta.changes) {
@@ -149,10 +149,10 @@ Field<Side> History<Side>::fieldAt(StepNumber target, const Field<Side>& clay) {
     throw Error("step " + std::to_string(target) + ": not in the history");
   }
   Field<Side> field = clay;
-  SolidRef solid = state_->parts.solid;
+  Beside beside = state_->parts.beside;
   std::string trouble;
   const auto legs = tree().path(tree().place(), target);
-  state_->walk(legs, field.tree, solid, trouble,
+  state_->walk(legs, field.tree, beside, trouble,
                [&](const StepTree::Leg& leg, const Delta<Block>& delta) {
                  delta.apply(field.tree, leg.direction);
                  const StepNote& note = tree().find(leg.step)->note;
@@ -257,7 +257,7 @@ Bytes History<Side>::State::bytesOf(StepNumber step) const {
 template <int Side>
 typename History<Side>::State::Change History<Side>::State::changeOf(const StepTree::Leg& leg,
                                                                      const Tree& clay,
-                                                                     const SolidRef& solid) {
+                                                                     const Beside& beside) {
   if (Change held = cache.find(leg.step); held.clay) return held;
   const Bytes bytes = bytesOf(leg.step);
   const std::string name = parts.files == nullptr
@@ -267,8 +267,8 @@ typename History<Side>::State::Change History<Side>::State::changeOf(const StepT
   if (file.head().step.mark != parts.tree.markOf(leg.step)) {
     throw Error(name + ": of another history");
   }
-  Change change{std::make_shared<const Delta<Block>>(file.unpack(clay, leg.direction)), solid,
-                file.solid(solid, leg.direction)};
+  Change change{std::make_shared<const Delta<Block>>(file.unpack(clay, leg.direction)), beside,
+                file.beside(beside, leg.direction)};
   if (leg.direction == Direction::backward) std::swap(change.before, change.after);
   cache.put(leg.step, change);
   return change;
@@ -277,17 +277,17 @@ typename History<Side>::State::Change History<Side>::State::changeOf(const StepT
 template <int Side>
 template <class Take>
 StepNumber History<Side>::State::walk(const std::vector<StepTree::Leg>& legs, const Tree& clay,
-                                      SolidRef& solid, std::string& trouble, const Take& take) {
+                                      Beside& beside, std::string& trouble, const Take& take) {
   for (const StepTree::Leg& leg : legs) {
     Change change;
     try {
-      change = changeOf(leg, clay, solid);
+      change = changeOf(leg, clay, beside);
     } catch (const Error& error) {
       trouble = error.what();
       return leg.step;
     }
     take(leg, *change.clay);
-    solid = change.solid(leg.direction);
+    beside = change.beside(leg.direction);
   }
   return 0;
 }

@@ -24,7 +24,7 @@ struct HistoryParts {
   std::uint64_t moment = 0;
   StepNumber lastNumber = 0;  ///< ever used
   FieldScale scale;           ///< of the clay now
-  SolidRef solid;             ///< that is worked on now
+  Beside beside;              ///< the clay now
 
   // Of a folder. Without a journal steps are read from it and none is written.
   FileSystem* files = nullptr;

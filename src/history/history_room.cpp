@@ -58,7 +58,7 @@ void History<Side>::State::requestCheckpoint() {
   stepsSinceAnchor = 0;
   bytesSinceAnchor = 0;
   parts.journal->add(
-      typename undo::Journal<Side>::CheckpointEvent{now(), parts.scale, parts.solid});
+      typename undo::Journal<Side>::CheckpointEvent{now(), parts.scale, parts.beside});
 }
 
 template <int Side>
@@ -164,8 +164,8 @@ bool History<Side>::State::packOldest() {
     if (!written) {
       undo::FileHead head;
       head.step = step;
-      const Bytes solid = undo::encodeSolidPart(change.before, change.after);
-      Bytes bytes = undo::encodeUndoFile<Side>(head, *change.clay, {{}, solid});
+      const Bytes beside = undo::encodeBesidePart(change.before, change.after);
+      Bytes bytes = undo::encodeUndoFile<Side>(head, *change.clay, {{}, beside});
       bytes.shrink_to_fit();
       packedBytes += bytes.size();
       packed[number] = std::move(bytes);

@@ -26,13 +26,13 @@ struct History<Side>::State {
   HistoryPlace now() const;
   Step newStep(const Delta<Block>& delta, StepNote note);
   using Change = undo::StepChange<Side>;
-  Change changeOf(const StepTree::Leg& leg, const Tree& clay, const SolidRef& solid);
+  Change changeOf(const StepTree::Leg& leg, const Tree& clay, const Beside& beside);
   Bytes bytesOf(StepNumber step) const;
 
   /// Calls take(leg, delta) for every leg; the step that could not be read, 0 when all could.
-  /// `solid` goes along.
+  /// `beside` goes along.
   template <class Take>
-  StepNumber walk(const std::vector<StepTree::Leg>& legs, const Tree& clay, SolidRef& solid,
+  StepNumber walk(const std::vector<StepTree::Leg>& legs, const Tree& clay, Beside& beside,
                   std::string& trouble, const Take& take);
   void cutOff(StepNumber lost);
 

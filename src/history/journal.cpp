@@ -33,8 +33,8 @@ std::string pictureFileName(StepNumber step) { return numbered(step, kPictureEnd
 template <int Side>
 struct Journal<Side>::Running {
   Running(const std::filesystem::path& path, FileSystem& files, const FileHead& head,
-          const KeyTree<Block>& tree, const SolidRef& solid)
-      : file(path, files), writer(head, tree, solid), state(head.step.number) {}
+          const KeyTree<Block>& tree, const Beside& beside)
+      : file(path, files), writer(head, tree, beside), state(head.step.number) {}
 
   /// False when it is finished and in its place.
   bool advance() {
@@ -182,8 +182,8 @@ std::uint64_t Journal<Side>::write(StepEvent& event) {
   head.moment = event.moment;
   head.step = event.step;
   const Change& change = event.change;
-  const Bytes solid = encodeSolidPart(change.before, change.after);
-  const Bytes bytes = encodeUndoFile<Side>(head, *change.clay, {event.thumbnail, solid});
+  const Bytes beside = encodeBesidePart(change.before, change.after);
+  const Bytes bytes = encodeUndoFile<Side>(head, *change.clay, {event.thumbnail, beside});
   writeFile(folder_ / stepFileName(event.step.number), bytes, *files_);
   follow(change.clay);
   const std::lock_guard lock(mutex_);
@@ -239,7 +239,7 @@ std::uint64_t Journal<Side>::write(CheckpointEvent& event) {
   head.step.note = {"", event.scale, event.scale};
   try {
     running_ = std::make_unique<Running>(folder_ / checkpointFileName(event.place.place), *files_,
-                                         head, tree_, event.solid);
+                                         head, tree_, event.beside);
   } catch (const Error&) {
     const std::lock_guard lock(mutex_);
     news_.checkpointFailed = true;

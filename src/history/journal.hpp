@@ -57,7 +57,7 @@ class Journal {
   struct CheckpointEvent {
     HistoryPlace place;
     FieldScale scale;
-    SolidRef solid;
+    Beside beside;
   };
 
   /// What has come of events, since it was asked last.

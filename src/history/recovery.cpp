@@ -86,7 +86,7 @@ class Recovery {
 
   StepTree tree;
   Field<Side> field;
-  SolidRef solid;
+  Beside beside;
   const FolderListing& listing() const { return listing_; }
 
   std::uint64_t latestMoment() const {
@@ -163,7 +163,7 @@ class Recovery {
     for (const Anchor& anchor : anchors()) consider(anchor.state);
     if (savedIsThere && start == saved_->place.place) {
       field = saved_->field;
-      solid = saved_->solid;
+      beside = saved_->beside;
     } else if (!loadAnchor(start)) {
       return false;
     }
@@ -175,7 +175,7 @@ class Recovery {
 
   bool loadAnchor(StepNumber state) {
     field = {};
-    solid = nullptr;
+    beside = {};
     const auto checkpoint = listing_.checkpoints.find(state);
     if (checkpoint == listing_.checkpoints.end()) return true;
     const auto path = where_.path / undo::checkpointFileName(state);
@@ -183,7 +183,7 @@ class Recovery {
       const Bytes bytes = readFile(path, std::size_t{1} << 40, *where_.files);
       const UndoFile<Side> file(bytes, path.string());
       field.tree = file.tree();
-      solid = file.solid();
+      beside = file.beside();
       field.scale = checkpoint->second.step.note.after;
       return true;
     } catch (const Error& error) {
@@ -198,9 +198,9 @@ class Recovery {
     try {
       const Bytes bytes = readFile(path, std::size_t{1} << 40, *where_.files);
       const UndoFile<Side> file(bytes, path.string());
-      const SolidRef beyond = file.solid(solid, leg.direction);
+      const Beside beyond = file.beside(beside, leg.direction);
       file.unpack(field.tree, leg.direction).apply(field.tree, leg.direction);
-      solid = beyond;
+      beside = beyond;
       const StepNote& note = file.head().step.note;
       field.scale = leg.direction == Direction::forward ? note.after : note.before;
       return true;
@@ -283,7 +283,7 @@ OpenedHistory<Side> openHistory(const HistoryFolder& where,
   if (saved && recovery.has(saved->place)) parts.saved = saved->place.place;
   parts.tree = std::move(recovery.tree);
   parts.scale = opened.field.scale;
-  parts.solid = std::move(recovery.solid);
+  parts.beside = std::move(recovery.beside);
   parts.lastNumber = std::max(found.lastNumber, saved ? saved->place.place : 0);
   for (const auto& [state, head] : found.checkpoints)
     parts.lastNumber = std::max(parts.lastNumber, state);

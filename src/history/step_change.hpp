@@ -1,9 +1,9 @@
-// What a step changed: blocks of clay, and the solid that is worked on.
+// What a step changed: blocks of clay, and what stands beside it.
 #pragma once
 #include <memory>
 
 #include "bozzetto/field/field.hpp"
-#include "bozzetto/solid/solid.hpp"
+#include "bozzetto/history/beside.hpp"
 
 namespace bozzetto::undo {
 
@@ -12,9 +12,9 @@ struct StepChange {
   using DeltaPointer = std::shared_ptr<const Delta<CornerBlock<Side>>>;
 
   DeltaPointer clay;  ///< null: nothing is held
-  SolidRef before{}, after{};
+  Beside before{}, after{};
 
-  const SolidRef& solid(Direction direction) const {
+  const Beside& beside(Direction direction) const {
     return direction == Direction::forward ? after : before;
   }
 };

@@ -14,7 +14,7 @@ namespace bozzetto::undo {
 namespace {
 
 constexpr std::string_view kMagic = "bzzundo\n";
-constexpr std::uint32_t kVersion = 2, kWithoutSolids = 1;
+constexpr std::uint32_t kVersion = 3, kSolidAlone = 2, kWithoutSolids = 1;
 constexpr int kLevel = 3;
 constexpr std::size_t kMostLabelBytes = 255;
 constexpr std::size_t kBatch = 16;  // records in memory at a time
@@ -63,7 +63,7 @@ Bytes encodeHead(const FileHead& head) {
   out.put(head.side);
   out.put(static_cast<std::uint16_t>(label.size()));
   out.put(head.thumbnailBytes);
-  out.put(head.solidBytes);
+  out.put(head.besideBytes);
   out.put(head.fileBytes);
   for (const std::uint8_t byte : head.identity) out.put(byte);
   out.put(head.moment);
@@ -81,7 +81,7 @@ Bytes encodeHead(const FileHead& head) {
   return out.take();
 }
 
-// A picture, a solid: their lengths are in the head.
+// A picture, what is beside the clay: their lengths are in the head.
 void putEnclosure(ByteWriter& out, std::span<const std::byte> bytes) {
   if (bytes.empty()) return;
   out.put(bytes);
@@ -149,19 +149,19 @@ Bytes encodeUndoFile(FileHead& head, const Delta<CornerBlock<Side>>& delta,
 
   head.side = Side;
   head.thumbnailBytes = static_cast<std::uint32_t>(enclosures.thumbnail.size());
-  head.solidBytes = static_cast<std::uint32_t>(enclosures.solid.size());
+  head.besideBytes = static_cast<std::uint32_t>(enclosures.beside.size());
   head.step.changedBlocks = head.step.changedCorners = 0;
   for (const auto& change : delta.changes) head.step.changedBlocks += change.length;
   for (const auto& frame : frames) head.step.changedCorners += frame.corners;
   head.fileBytes = encodeHead(head).size() + 16;
-  head.fileBytes += lengthOf(enclosures.thumbnail) + lengthOf(enclosures.solid);
+  head.fileBytes += lengthOf(enclosures.thumbnail) + lengthOf(enclosures.beside);
   for (const auto& frame : frames) head.fileBytes += frame.packed.size() + 16;
   head.step.bytes = head.fileBytes;
 
   ByteWriter out;
   out.put(std::span<const std::byte>(encodeHead(head)));
   putEnclosure(out, enclosures.thumbnail);
-  putEnclosure(out, enclosures.solid);
+  putEnclosure(out, enclosures.beside);
   std::uint32_t index = 0;
   for (const auto& frame : frames) {
     putFrame(out, frame.packed, frame.rawBytes, frameHash(frame.packed, head.step.mark, index++));
@@ -176,15 +176,16 @@ FileHead decodeHead(std::span<const std::byte> bytes, const std::string& name) {
     throw Error(name + ": not an undo-file");
   }
   const auto version = in.get<std::uint32_t>();
-  if (version != kVersion && version != kWithoutSolids) {
-    throw Error(name + ": undo-file of version " + std::to_string(version) + ", 1 or 2 expected");
+  if (version < kWithoutSolids || version > kVersion) {
+    throw Error(name + ": undo-file of version " + std::to_string(version) + ", 1 to 3 expected");
   }
   FileHead head;
+  if (version <= kSolidAlone) head.besideForm = BesideForm::solidAlone;
   head.kind = static_cast<FileKind>(in.get<std::uint8_t>());
   head.side = in.get<std::uint8_t>();
   const auto labelBytes = in.get<std::uint16_t>();
   head.thumbnailBytes = in.get<std::uint32_t>();
-  head.solidBytes = in.get<std::uint32_t>();
+  head.besideBytes = in.get<std::uint32_t>();
   head.fileBytes = in.get<std::uint64_t>();
   for (std::uint8_t& byte : head.identity) byte = in.get<std::uint8_t>();
   head.moment = in.get<std::uint64_t>();
@@ -204,7 +205,7 @@ FileHead decodeHead(std::span<const std::byte> bytes, const std::string& name) {
   if (in.get<std::uint64_t>() != hash) throw Error(name + ": head does not match its hash");
   const bool step = head.kind == FileKind::step;
   const bool good = (step || head.kind == FileKind::checkpoint) &&
-                    (version != kWithoutSolids || head.solidBytes == 0) &&
+                    (version != kWithoutSolids || head.besideBytes == 0) &&
                     labelBytes <= kMostLabelBytes && head.thumbnailBytes <= kMostThumbnailBytes &&
                     (!step || head.step.parent < head.step.number);
   if (!good) throw Error(name + ": head of an undo-file out of range");
@@ -222,7 +223,7 @@ UndoFile<Side>::UndoFile(std::span<const std::byte> bytes, std::string name)
   ByteReader in(bytes, name_);
   in.skip(encodeHead(head_).size());
   enclosures_.thumbnail = takeEnclosure(in, head_.thumbnailBytes, name_ + ": thumbnail");
-  enclosures_.solid = takeEnclosure(in, head_.solidBytes, name_ + ": solid");
+  enclosures_.beside = takeEnclosure(in, head_.besideBytes, name_ + ": what is beside the clay");
   for (bool ended = false; !ended;) {
     const std::string where = name_ + ": record " + std::to_string(frames_.size());
     const auto rawBytes = in.get<std::uint32_t>();
@@ -298,15 +299,15 @@ KeyTree<CornerBlock<Side>> UndoFile<Side>::tree() const {
 template <int Side>
 CheckpointWriter<Side>::CheckpointWriter(const FileHead& head,
                                          const KeyTree<CornerBlock<Side>>& tree,
-                                         const SolidRef& solid)
+                                         const Beside& beside)
     : tree_(&tree), node_(tree.begin()), mark_(head.step.mark) {
   FileHead mine = head;
   mine.kind = FileKind::checkpoint;
   mine.side = Side;
   mine.thumbnailBytes = 0;
   mine.fileBytes = 0;
-  const Bytes enclosed = encodeSolid(solid);
-  mine.solidBytes = static_cast<std::uint32_t>(enclosed.size());
+  const Bytes enclosed = encodeBeside(beside);
+  mine.besideBytes = static_cast<std::uint32_t>(enclosed.size());
   ByteWriter out;
   out.put(std::span<const std::byte>(encodeHead(mine)));
   putEnclosure(out, enclosed);

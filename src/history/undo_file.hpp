@@ -8,8 +8,8 @@
 
 #include "bozzetto/base/bytes.hpp"
 #include "bozzetto/history/step.hpp"
+#include "history/beside_part.hpp"
 #include "history/packed_record.hpp"
-#include "history/solid_part.hpp"
 
 namespace bozzetto::undo {
 
@@ -22,7 +22,8 @@ struct FileHead {
   std::uint64_t moment = 0;  ///< counts every event of a history: what came last
   Step step;                 ///< of a checkpoint: the state it holds
   std::uint32_t thumbnailBytes = 0;
-  std::uint32_t solidBytes = 0;
+  std::uint32_t besideBytes = 0;
+  BesideForm besideForm = BesideForm::whole;  ///< as read
   std::uint64_t fileBytes = 0;  ///< 0 in checkpoints, which are written before this is known
 };
 
@@ -33,7 +34,7 @@ inline constexpr std::size_t kMostThumbnailBytes = 16u << 20;
 /// What an undo-file holds beside clay; all may be empty.
 struct Enclosures {
   std::span<const std::byte> thumbnail{};
-  std::span<const std::byte> solid{};  ///< encodeSolidPart; of a checkpoint encodeSolid
+  std::span<const std::byte> beside{};  ///< encodeBesidePart; of a checkpoint encodeBeside
 };
 
 /// Counts and file length go into the head.
@@ -58,12 +59,12 @@ class UndoFile {
   /// What leads from `tree` over this step. Throws Error where it does not fit. In parallel.
   Delta<Block> unpack(const KeyTree<Block>& tree, Direction direction) const;
 
-  /// What the solid is over this step. Throws Error where `here` does not fit.
-  SolidRef solid(const SolidRef& here, Direction direction) const {
-    return solidBeyond(here, enclosures_.solid, direction, name_);
+  /// What stands beside the clay over this step. Throws Error where `here` does not fit.
+  Beside beside(const Beside& here, Direction direction) const {
+    return besideBeyond(here, enclosures_.beside, direction, head_.besideForm, name_);
   }
-  /// The solid of a checkpoint. Throws Error where it is none.
-  SolidRef solid() const { return decodeSolid(enclosures_.solid, name_); }
+  /// The same of a checkpoint. Throws Error where it is none.
+  Beside beside() const { return decodeBeside(enclosures_.beside, head_.besideForm, name_); }
 
   /// The clay of a checkpoint. In parallel, without a second copy.
   KeyTree<Block> tree() const;
@@ -90,7 +91,7 @@ class CheckpointWriter {
  public:
   /// The tree must not change meanwhile.
   CheckpointWriter(const FileHead& head, const KeyTree<CornerBlock<Side>>& tree,
-                   const SolidRef& solid = nullptr);
+                   const Beside& beside = {});
   /// The next bytes of the file; empty when all have been given.
   Bytes next();
 

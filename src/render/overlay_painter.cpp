@@ -196,7 +196,7 @@ void OverlayPainter::drawTools(const Overlays& overlays, const Scene& scene) {
   for (const ToolGhost& tool : overlays.tools) {
     if (tool.display == ToolDisplay::hidden) continue;
     draw(tool.limit, tool.cellsFromLimit, {tool.ink, {.02f, .42f, 3.5f, 0}, 0, .3f, false});
-    Glass glass{tool.ink, {.14f, .68f, 2.2f, .8f}, 0, .42f, false};
+    Glass glass{tool.ink, {.14f, .68f, 2.2f, .8f}, 0, tool.hidden, false};
     glass.solid = tool.display == ToolDisplay::solid;
     glass.lines = tool.display == ToolDisplay::wire;
     if (glass.solid > 0) glass.hidden = .16f;

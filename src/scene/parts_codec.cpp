@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bozzetto/scene/clay_bytes.hpp"
+#include "bozzetto/scene/support_bytes.hpp"
 
 namespace bozzetto {
 namespace {

@@ -24,10 +24,6 @@ View decodeView(std::span<const std::byte> bytes, const std::string& name);
 Bytes encodeItem(const ShelfItem& item);
 ShelfItem decodeItem(std::span<const std::byte> bytes, const std::string& name);
 
-Bytes encodeSupports(const std::vector<clay::Support>& supports);
-std::vector<clay::Support> decodeSupports(std::span<const std::byte> bytes,
-                                          const std::string& name);
-
 /// Of what encodeClay made of painted stiffness, some at least.
 clay::Stiffness decodeStiffness(std::span<const std::byte> bytes, const std::string& name);
 

@@ -4,6 +4,7 @@
 
 #include "bozzetto/base/parallel.hpp"
 #include "bozzetto/scene/clay_bytes.hpp"
+#include "bozzetto/scene/support_bytes.hpp"
 #include "bozzetto/solid/solid_codec.hpp"
 #include "scene/layout.hpp"
 #include "scene/page_check.hpp"

@@ -1,4 +1,6 @@
 // clay, relax, support, hold, release in JSON.
+#include <glm/vector_relational.hpp>
+
 #include "sculptor/operation_format.hpp"
 
 namespace bozzetto {
@@ -156,6 +158,8 @@ HoldOperation readHold(JsonObject& object) {
   hold.low = readVector(box, "min", {0, 0, 0});
   hold.high = readVector(box, "max", {0, 0, 0});
   box.done();
+  if (glm::any(glm::greaterThan(hold.low, hold.high)))
+    object.fail("box", "min at most max on every axis");
   hold.amount = object.number("amount", 1);
   if (hold.amount < 0 || hold.amount > 1) object.fail("amount", "a number in 0…1");
   return hold;

@@ -1,4 +1,4 @@
-// Shelf, supports and settings between saves. Steps of history have undo-files; these have one
+// Shelf and settings between saves. Steps of history have undo-files; these have one
 // scene without clay, beside them.
 #pragma once
 #include <optional>

@@ -13,9 +13,9 @@ namespace {
 const std::vector<OperationFormat>& formats() {
   static const std::vector<OperationFormat> all = [] {
     std::vector<OperationFormat> rows;
-    for (const auto family : {sceneFormats, toolFormats, strokeFormats, historyFormats,
-                              solidFormats, solidToolFormats, clayFormats, volumeFormats,
-                              shelfFormats}) {
+    for (const auto family :
+         {sceneFormats, toolFormats, strokeFormats, historyFormats, solidFormats, solidToolFormats,
+          clayFormats, volumeFormats, shelfFormats}) {
       for (const OperationFormat& row : family()) rows.push_back(row);
     }
     std::ranges::sort(rows, {}, &OperationFormat::index);

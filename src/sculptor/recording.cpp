@@ -49,7 +49,10 @@ Recording parseRecording(std::string_view text, const std::string& name) {
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.find_first_not_of(" \t\r") == line.npos) continue;
     const std::string where = name + ":" + std::to_string(number);
-    if (headerSeen) recording.operations.push_back(parseOperation(line, where));
+    if (headerSeen) {
+      recording.operations.push_back(parseOperation(line, where));
+      recording.places.push_back(where + ": ");
+    }
     if (!headerSeen) requireHeader(line, where);
     headerSeen = true;
   }

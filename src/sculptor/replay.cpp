@@ -58,7 +58,8 @@ std::vector<OperationReport> replay(const Recording& recording, Sculptor& sculpt
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
-      throw Error("operation " + std::to_string(n + 1) + ": " + error.what());
+      throw Error(recording.placeOf(n) + "operation " + std::to_string(n + 1) + ": " +
+                  error.what());
     }
     if (done) done(n + 1);
   }
@@ -81,12 +82,13 @@ ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOpt
   sculptor.place(options.supports);
   sculptor.place(std::move(stiffness));
   sculptor.place(options.settings);
+  sculptor.place(options.ledger);
   sculptor.tools().shelf = options.shelf;
   sculptor.tools().depth = options.depth;
   auto reports = replay(recording, sculptor, progress);
   return {sculptor.field(),         sculptor.solid(),          sculptor.tools().shelf,
           sculptor.clay().supports, sculptor.clay().stiffness, sculptor.clay().settings,
-          std::move(reports)};
+          sculptor.ledger(),        std::move(reports)};
 }
 
 OperationReport totalOf(const std::vector<OperationReport>& reports) {

@@ -1,4 +1,5 @@
 // clay, relax, support and its like, hold, release.
+#include <algorithm>
 #include <cmath>
 
 #include "bozzetto/clay/hold.hpp"
@@ -8,9 +9,18 @@
 
 namespace bozzetto {
 
+// Some layer moves matter when a tool comes; tension only tidies up.
+bool givesWay(const clay::Settings& settings) {
+  return std::ranges::any_of(
+      settings.layers, [](clay::LayerKind layer) { return layer != clay::LayerKind::tension; });
+}
+
 template <int Side>
-void run(const ClayOperation& operation, Workbench<Side>& bench, const Telling&) {
+void run(const ClayOperation& operation, Workbench<Side>& bench, const Telling& telling) {
   requireValid(operation.settings);
+  if (!givesWay(operation.settings))
+    telling.progress.note(
+        "clay: without layers that move it, strokes that push or grip do nothing");
   bench.clay.settings = operation.settings;
 }
 
@@ -36,22 +46,31 @@ clay::Support supportFrom(const SupportOperation& operation, Workbench<Side>& be
       support.radii = freeformRadii(*support.sculpture, *operation.scale);
   }
   clay::requireValid(support);
-  cellOf(support.centre, bench.field().scale.spacing, "support centre");
+  clay::requireInWorkspace(support, bench.field().scale.spacing);
   if (support.sculpture) support.sculpture->distance();
   return support;
+}
+
+// A step of history that leaves the clay as it is.
+template <int Side>
+void keepSupports(Workbench<Side>& bench, const Telling& telling) {
+  Edit<CornerBlock<Side>> edit(bench.tree());
+  bench.keep(edit, telling.report);
 }
 
 template <int Side>
 void run(const SupportOperation& operation, Workbench<Side>& bench, const Telling& telling) {
   bench.clay.supports.push_back(supportFrom(operation, bench, telling));
+  keepSupports(bench, telling);
 }
 
 template <int Side>
 clay::Support& supportOf(Workbench<Side>& bench, int number, const char* op) {
   auto& supports = bench.clay.supports;
   if (number >= 0 && std::size_t(number) < supports.size()) return supports[std::size_t(number)];
-  throw Error(std::string(op) + ": found number " + std::to_string(number) + ", expected 0 to " +
-              std::to_string(supports.size()) + " without the end");
+  const std::string found = std::string(op) + ": support " + std::to_string(number) + " found, ";
+  if (supports.empty()) throw Error(found + "but there are no supports");
+  throw Error(found + "0 to " + std::to_string(supports.size() - 1) + " expected");
 }
 
 template <int Side>
@@ -60,13 +79,15 @@ void run(const SupportMoveOperation& operation, Workbench<Side>& bench, const Te
   SupportOperation to = operation.to;
   if (!to.source) to.support.sculpture = support.sculpture;
   support = supportFrom(to, bench, telling);
+  keepSupports(bench, telling);
 }
 
 template <int Side>
-void run(const SupportDropOperation& operation, Workbench<Side>& bench, const Telling&) {
+void run(const SupportDropOperation& operation, Workbench<Side>& bench, const Telling& telling) {
   const clay::Support* gone = &supportOf(bench, operation.number, "support_drop");
   auto& supports = bench.clay.supports;
   supports.erase(supports.begin() + (gone - supports.data()));
+  keepSupports(bench, telling);
 }
 
 // The corners of a box in world units, both ends.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bozzetto/history/copy.hpp"
+#include "bozzetto/scene/support_bytes.hpp"
 #include "bozzetto/sculptor/clay_settings.hpp"
 #include "bozzetto/solid/solid_codec.hpp"
 #include "sculptor/kept_parts.hpp"
@@ -42,10 +43,23 @@ HistoryPlace takePlace(SceneParts& parts) {
   return place.value_or(kUnknownPlace);
 }
 
-// Clay, place in the history and solid are the history's; the rest stays.
+BytesRef refTo(Bytes bytes) { return std::make_shared<const Bytes>(std::move(bytes)); }
+
+// Clay, place in the history and what is beside the clay are the history's; the rest stays, and
+// supports, so that what changed shows.
 SavedScene<8> takeSaved(Document& document, const fs::path& scene) {
-  const SolidRef solid = decodeSolid(std::exchange(document.parts.solid, {}), scene.string());
-  return {std::move(document.field), takePlace(document.parts), solid};
+  SceneParts& parts = document.parts;
+  Beside beside(decodeSolid(std::exchange(parts.solid, {}), scene.string()));
+  if (!parts.supports.empty()) beside.supports = refTo(encodeSupports(parts.supports));
+  const MassLedger ledger = takeLedger(parts, scene.string());
+  if (!(ledger == MassLedger{})) beside.ledger = refTo(encodeLedger(ledger));
+  return {std::move(document.field), takePlace(parts), std::move(beside)};
+}
+
+// Supports are in the steps of the history.
+SceneParts withoutSupports(SceneParts parts) {
+  parts.supports.clear();
+  return parts;
 }
 
 // Saved by somebody who knows nothing of the history, and after it: it is not this document's any
@@ -95,13 +109,14 @@ Session::Session(fs::path path, Opened opened, const SessionOptions& options)
       sculptor_(std::move(opened.history.field), std::move(opened.history.history),
                 options.upkeep) {
   if (opened.kept) opened.kept->thumbnail = parts.thumbnail;
+  if (opened.kept) opened.kept->supports = parts.supports;
   if (opened.kept && *opened.kept != parts) {
     findings_.recovered = true;
-    findings_.notices.push_back("Shelf, supports and settings that were not saved are back");
+    findings_.notices.push_back("Shelf and settings that were not saved are back");
     parts = std::move(*opened.kept);
   }
   give(parts);
-  kept_->begin(parts);
+  kept_->begin(withoutSupports(parts));
 }
 
 Session::Session(Session&&) noexcept = default;
@@ -111,7 +126,6 @@ Session::~Session() = default;
 // To the sculptor, whose business they are from now on.
 void Session::give(const SceneParts& given) {
   sculptor_.tools().shelf = given.shelf;
-  sculptor_.place(given.supports);
   sculptor_.place(given.stiffness);
   sculptor_.place(settingsOf(given, path_.string()));
 }
@@ -228,6 +242,7 @@ std::vector<fs::path> Session::leftBehind(FileSystem& files) {
 Document Session::document() const {
   Document document{sculptor_.field(), partsNow()};
   document.parts.solid = encodeSolid(sculptor_.solid());
+  putLedger(sculptor_.ledger(), document.parts);
   putSaves(document.parts, saves_ + 1);
   document.parts.settings[kPlaceSetting] = sculptor_.history().savePlace().text();
   return document;
@@ -246,15 +261,16 @@ bool Session::saved() const {
 void Session::markSaved(const Document& document) {
   savedParts_ = document.parts;
   savedParts_.solid.clear();
+  takeLedger(savedParts_, path_.string());
   saves_ = takeSaves(savedParts_);
   sculptor_.history().markSaved(takePlace(savedParts_));
-  kept_->drop(sculptor_.history().folder(), savedParts_);
+  kept_->drop(sculptor_.history().folder(), withoutSupports(savedParts_));
   keepParts();
 }
 
 void Session::keepParts() {
   if (!sculptor_.history().onDisk()) return;
-  kept_->keep(sculptor_.history().folder(), partsNow(), saves_);
+  kept_->keep(sculptor_.history().folder(), withoutSupports(partsNow()), saves_);
 }
 
 std::string Session::trouble() const {
@@ -312,7 +328,7 @@ void Session::discard(Session session) {
     const auto saved = session.sculptor_.history().savedState();
     if (saved) session.sculptor_.apply(GoToOperation{*saved});
     session.give(session.savedParts_);
-    session.kept_->drop(folder, session.savedParts_);
+    session.kept_->drop(folder, withoutSupports(session.savedParts_));
     return;
   }
   { const Session ended = std::move(session); }

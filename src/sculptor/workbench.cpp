@@ -1,8 +1,10 @@
 #include "bozzetto/sculptor/workbench.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "bozzetto/scene/support_bytes.hpp"
 #include "sculptor/timer.hpp"
 
 namespace bozzetto {
@@ -12,6 +14,22 @@ namespace {
 void sortOnce(std::vector<Key>& noted) {
   std::sort(noted.begin(), noted.end());
   noted.erase(std::unique(noted.begin(), noted.end()), noted.end());
+}
+
+// Sculptures that somebody holds already, with all that was prepared for them.
+void adoptSculptures(std::vector<clay::Support>& read, const std::vector<clay::Support>& held) {
+  for (clay::Support& support : read) {
+    for (const clay::Support& other : held) {
+      clay::Support like = support;
+      like.sculpture = other.sculpture;
+      if (other.sculpture && like == support) support.sculpture = other.sculpture;
+    }
+  }
+}
+
+bool keepsMass(const OperationReport& report, const Hand& hand) {
+  if (report.op != "stroke") return report.op == "relax";
+  return !hand.recall && movesClay(hand.action.kind);
 }
 
 }  // namespace
@@ -26,9 +44,9 @@ template <int Side>
 Workbench<Side>::Workbench(Field<Side> field, History<Side> history, SurfaceUpkeep upkeep)
     : field_(std::move(field)),
       history_(std::move(history)),
-      nextSolid_(history_.solid()),
       upkeep_(upkeep),
       massUnits_(massUnits(field_)) {
+  takeBeside();
   showAll();
 }
 
@@ -41,6 +59,7 @@ double Workbench<Side>::mass() const {
 template <int Side>
 void Workbench<Side>::keep(Edit<Block>& edit, const FieldScale& scale, OperationReport& report) {
   const FieldScale before = field_.scale;
+  const double massBefore = mass();
   std::shared_ptr<const Delta<Block>> delta;
   {
     const Timer timer(report.msHistory);
@@ -49,24 +68,86 @@ void Workbench<Side>::keep(Edit<Block>& edit, const FieldScale& scale, Operation
     account(*delta);
   }
   field_.scale = scale;
+  enter(mass() - massBefore, report);
   if (!std::exchange(followed_, false)) show(*delta, report);
   Bytes picture = takePicture ? takePicture() : Bytes();
   const Timer timer(report.msHistory);
-  rememberSetup();
+  rememberStiffness();
   std::string label = report.op;
   if (label == "stroke") {
     label += hand.recall ? " recall" : " " + std::string(toText(hand.action.kind));
   }
   StepNote note{std::move(label), before, scale};
-  history_.push(std::move(delta), std::move(note), nextSolid_, std::move(picture));
+  history_.push(std::move(delta), std::move(note), besideNow(), std::move(picture));
   stiffness_ = clay.stiffness;
 }
 
-// Those of the state we are about to leave.
+// That of the state we are about to leave.
 template <int Side>
-void Workbench<Side>::rememberSetup() {
-  std::erase_if(setups_, [&](const auto& each) { return !history_.tree().has(each.first); });
-  setups_[history_.place()] = {clay.supports, stiffness_};
+void Workbench<Side>::rememberStiffness() {
+  std::erase_if(stiffnesses_, [&](const auto& each) { return !history_.tree().has(each.first); });
+  stiffnesses_[history_.place()] = stiffness_;
+}
+
+// One line of the ledger.
+template <int Side>
+void Workbench<Side>::enter(double change, const OperationReport& report) {
+  ledger_.dropped += report.massDropped;
+  if (keepsMass(report, hand)) {
+    ++ledger_.moves;
+    ledger_.drift += change;
+  } else {
+    (change > 0 ? ledger_.added : ledger_.removed) += std::abs(change);
+  }
+}
+
+// For the history; written anew where it changed.
+template <int Side>
+Beside Workbench<Side>::besideNow() {
+  if (clay.supports != toldSupports_) {
+    toldSupports_ = clay.supports;
+    supportBytes_ = nullptr;
+    if (!toldSupports_.empty())
+      supportBytes_ = std::make_shared<const Bytes>(encodeSupports(toldSupports_));
+  }
+  if (!(ledger_ == toldLedger_)) {
+    toldLedger_ = ledger_;
+    ledgerBytes_ = std::make_shared<const Bytes>(encodeLedger(ledger_));
+  }
+  return {nextSolid_, supportBytes_, ledgerBytes_};
+}
+
+// What the history has where we are.
+template <int Side>
+void Workbench<Side>::takeBeside() {
+  const Beside& now = history_.beside();
+  nextSolid_ = now.solid;
+  ledgerBytes_ = now.ledger;
+  ledger_ = toldLedger_ = now.ledger ? decodeLedger(*now.ledger, "history") : MassLedger{};
+  if (now.supports == supportBytes_) return;
+  supportBytes_ = now.supports;
+  std::vector<clay::Support> supports;
+  if (now.supports) supports = decodeSupports(*now.supports, "history: supports");
+  adoptSculptures(supports, clay.supports);
+  clay.supports = toldSupports_ = std::move(supports);
+}
+
+template <int Side>
+void Workbench<Side>::placeSolid(SolidRef solid) {
+  nextSolid_ = std::move(solid);
+  history_.place(besideNow());
+}
+
+template <int Side>
+void Workbench<Side>::placeSupports(std::vector<clay::Support> supports) {
+  clay.supports = std::move(supports);
+  history_.place(besideNow());
+}
+
+template <int Side>
+void Workbench<Side>::placeLedger(const MassLedger& ledger) {
+  ledger_ = ledger;
+  history_.place(besideNow());
 }
 
 template <int Side>
@@ -138,21 +219,18 @@ void Workbench<Side>::note(std::span<const Run> changed, const RefreshReport& re
 template <int Side>
 std::string Workbench<Side>::goTo(StepNumber state, OperationReport& report) {
   typename History<Side>::Journey journey;
-  rememberSetup();
+  rememberStiffness();
   {
     const Timer timer(report.msHistory);
     journey = history_.goTo(state, field_.tree, field_.scale);
     account(*journey.delta);
   }
   field_.scale = journey.scale;
-  nextSolid_ = history_.solid();
-  const auto setup = setups_.find(history_.place());
-  if (setup != setups_.end()) {
-    clay.supports = setup->second.supports;
-    placeStiffness(setup->second.stiffness);
-  }
+  const auto stiffness = stiffnesses_.find(history_.place());
+  if (stiffness != stiffnesses_.end()) placeStiffness(stiffness->second);
   report.changedBlocks += journey.delta->changes.size();
   show(*journey.delta, report);
+  takeBeside();
   return journey.trouble;
 }
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdio>
 
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/tool/dab.hpp"
@@ -11,6 +12,12 @@ namespace {
 double tidied(double entry) {
   if (std::abs(entry) < 1e-14) return 0;
   return std::abs(std::abs(entry) - 1) < 1e-14 ? std::copysign(1.0, entry) : entry;
+}
+
+std::string wholeText(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", number);
+  return text;
 }
 
 Key nearestCell(const glm::dvec3& position) {
@@ -40,25 +47,23 @@ LocalFrame localFrame(const DabPose& pose) {
 
 KeyBox dabBox(const DabPose& pose) {
   constexpr double slack = 1 + 4e-6;  // no corner beyond the box is in the local box after rounding
-  std::array<std::int64_t, 3> low, high;
-  const std::array<std::int64_t, 3> origin{pose.origin.i, pose.origin.j, pose.origin.k};
+  std::array<std::int32_t, 3> low, high;
+  const std::array<double, 3> origin{double(pose.origin.i), double(pose.origin.j),
+                                     double(pose.origin.k)};
   for (int grid = 0; grid < 3; ++grid) {
     double reach = 0;
     for (int axis = 0; axis < 3; ++axis)
       reach += std::abs(tidied(pose.orientation[axis][grid])) * pose.radii[axis];
-    low[grid] = origin[grid] + std::llround(std::ceil(pose.position[grid] - reach * slack));
-    high[grid] = origin[grid] + std::llround(std::floor(pose.position[grid] + reach * slack));
-    if (low[grid] < -kWorkspaceRim || high[grid] > kWorkspaceRim) {
-      throw Error("a tool at cell " + std::to_string(low[grid]) + " to " +
-                  std::to_string(high[grid]) + " on axis " + "xyz"[grid] +
-                  " leaves the workspace of ±2^30 cells");
+    const double first = origin[grid] + std::ceil(pose.position[grid] - reach * slack);
+    const double last = origin[grid] + std::floor(pose.position[grid] + reach * slack);
+    if (!(first >= -kWorkspaceRim && last <= kWorkspaceRim)) {
+      throw Error("a tool at cell " + wholeText(first) + " to " + wholeText(last) + " on axis " +
+                  "xyz"[grid] + " leaves the workspace of ±2^30 cells");
     }
+    low[grid] = static_cast<std::int32_t>(first);
+    high[grid] = static_cast<std::int32_t>(last);
   }
-  const auto key = [](const std::array<std::int64_t, 3>& at) {
-    return Key{static_cast<std::int32_t>(at[0]), static_cast<std::int32_t>(at[1]),
-               static_cast<std::int32_t>(at[2])};
-  };
-  return {key(low), key(high)};
+  return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
 }  // namespace bozzetto

@@ -58,9 +58,10 @@ TEST(Cli, infoHasAllItPromises) {
   const CommandFolder folder;
   const auto info = infoOf(sceneOf(folder, kBall));
   for (const char* key :
-       {"corners", "bricks", "cubes", "crossing_cubes", "edges", "triangles", "components", "mass",
-        "volume", "area", "bounds", "spacing", "iso", "field_hash", "bytes_memory", "bytes_file",
-        "history_steps", "supports", "bytes_thumbnail"}) {
+       {"corners",    "bricks",        "cubes",    "crossing_cubes",  "edges",
+        "triangles",  "components",    "mass",     "volume",          "area",
+        "bounds",     "spacing",       "iso",      "field_hash",      "bytes_memory",
+        "bytes_file", "history_steps", "supports", "bytes_thumbnail", "ledger"}) {
     EXPECT_TRUE(info.contains(key)) << key;
   }
   EXPECT_EQ(info["field_hash"].get<std::string>().size(), 16u);
@@ -70,6 +71,30 @@ TEST(Cli, infoHasAllItPromises) {
   EXPECT_EQ(empty["corners"], 0);
   EXPECT_GT(info["bytes_thumbnail"].get<int>(), 1000);
   EXPECT_EQ(empty["bytes_thumbnail"], 0);
+}
+
+TEST(Cli, infoTellsTheLedger) {
+  const CommandFolder folder;
+  const std::string push = std::string(kBall) +
+                           "{\"op\":\"action\",\"name\":\"push\"}\n"
+                           "{\"op\":\"stroke\",\"points\":[[0,20,0],[0,10,0]]}\n";
+  const std::string scene = sceneOf(folder, push);
+  const auto info = infoOf(scene);
+  const double mass = info["mass"];
+  EXPECT_EQ(info["ledger"]["before"], 0);
+  EXPECT_EQ(info["ledger"]["moves"], 1);
+  EXPECT_NEAR(info["ledger"]["added"].get<double>(), mass, 1e-6 * mass);
+  EXPECT_LT(std::abs(info["ledger"]["drift"].get<double>()), 1e-6 * mass);
+  const std::string told = runProgram("info " + scene).out;
+  for (const char* line : {"mass before", "mass added", "mass removed", "mass drift", "mass moves"})
+    EXPECT_NE(told.find(line), told.npos) << line;
+  // Another sitting goes on with it.
+  const std::string more = folder.write(
+      "more.jsonl", push.substr(0, push.find('\n') + 1) + "{\"op\":\"relax\",\"steps\":2}\n");
+  const std::string later = folder / "later.bzt";
+  ASSERT_EQ(runProgram("replay " + more + " --from " + scene + " -o " + later).code, 0);
+  EXPECT_EQ(infoOf(later)["ledger"]["moves"], 2);
+  EXPECT_EQ(infoOf(later)["ledger"]["added"], info["ledger"]["added"]);
 }
 
 TEST(Cli, withoutOpenGlThereIsNoThumbnailAndNoComplaint) {

@@ -1,6 +1,7 @@
 // What stands in the rows of a scene file. The first byte chooses the kind of row.
 #include <cstdlib>
 
+#include "bozzetto/scene/support_bytes.hpp"
 #include "scene/chunk_codec.hpp"
 #include "scene/parts_codec.hpp"
 

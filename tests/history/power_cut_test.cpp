@@ -45,7 +45,7 @@ class PowerCut : public ::testing::Test {
       if (n % 13 != 12) continue;
       s.history.waitDurable();
       note(s, saved);
-      saved = SavedScene<8>{s.clay, s.history.savePlace(), s.history.solid()};
+      saved = SavedScene<8>{s.clay, s.history.savePlace(), s.history.beside()};
       note(s, saved);
       s.history.markSaved(saved->place);
     }

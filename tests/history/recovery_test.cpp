@@ -41,7 +41,7 @@ class Recovery : public ::testing::Test {
   }
 
   void save(Sitting& s) {
-    saved_ = SavedScene<8>{s.clay, s.history.savePlace(), s.history.solid()};
+    saved_ = SavedScene<8>{s.clay, s.history.savePlace(), s.history.beside()};
     s.history.markSaved(saved_->place);
   }
 
@@ -341,7 +341,7 @@ TEST_F(Recovery, thumbnailsComeBack) {
     Sitting s(open());
     auto delta =
         std::make_shared<const Delta<testing::Block>>(testing::randomChange(s.clay, s.random));
-    s.history.push(std::move(delta), {"stroke", {}, {}}, nullptr, picture);
+    s.history.push(std::move(delta), {"stroke", {}, {}}, {}, picture);
   }
   EXPECT_EQ(open().history.thumbnail(1), picture);
   EXPECT_TRUE(open().history.thumbnail(2).empty());

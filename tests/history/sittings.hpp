@@ -35,6 +35,12 @@ inline Delta<Block> randomChange(Clay& clay, std::mt19937& random) {
   return edit.commit();
 }
 
+inline BytesRef bytesOf(std::string_view text) {
+  if (text.empty()) return nullptr;
+  const auto bytes = std::as_bytes(std::span(text));
+  return std::make_shared<const Bytes>(bytes.begin(), bytes.end());
+}
+
 /// Another solid made from one: a block where there was none, a point moved, more damping, none.
 inline SolidRef changedSolid(const SolidRef& before, std::mt19937& random) {
   const auto kind = random() % 4u;
@@ -54,12 +60,15 @@ inline SolidRef changedSolid(const SolidRef& before, std::mt19937& random) {
 }
 
 /// Of all that a history brings back.
-inline std::uint64_t stateHash(const Clay& clay, const SolidRef& solid) {
-  const std::uint64_t hash = fieldHash(clay);
-  return solid ? hash ^ hash64(encodeSolid(solid)) : hash;
+inline std::uint64_t stateHash(const Clay& clay, const Beside& beside) {
+  std::uint64_t hash = fieldHash(clay);
+  if (beside.solid) hash ^= hash64(encodeSolid(beside.solid));
+  if (beside.supports) hash ^= 3 * hash64(*beside.supports);
+  if (beside.ledger) hash ^= 5 * hash64(*beside.ledger);
+  return hash;
 }
 inline std::uint64_t stateHash(const OpenedHistory<8>& opened) {
-  return stateHash(opened.field, opened.history.solid());
+  return stateHash(opened.field, opened.history.beside());
 }
 
 struct Sitting {
@@ -76,10 +85,13 @@ struct Sitting {
 
   StepNumber change(const std::string& label = "stroke") {
     auto delta = std::make_shared<const Delta<Block>>(randomChange(clay, random));
-    const bool both = random() % 4u == 0;
-    SolidRef solid = both ? changedSolid(history.solid(), random) : history.solid();
+    Beside beside = history.beside();
+    if (random() % 4u == 0) beside.solid = changedSolid(beside.solid, random);
+    if (random() % 4u == 0)
+      beside.supports = bytesOf(std::string(random() % 3u, 'S') + "with a sculpture");
+    if (random() % 2u == 0) beside.ledger = bytesOf(std::to_string(random() % 5u));
     const StepNumber step =
-        history.push(std::move(delta), {label, clay.scale, clay.scale}, std::move(solid));
+        history.push(std::move(delta), {label, clay.scale, clay.scale}, std::move(beside));
     hashes[step] = hash();
     return step;
   }
@@ -105,7 +117,7 @@ struct Sitting {
     change();
   }
 
-  std::uint64_t hash() const { return stateHash(clay, history.solid()); }
+  std::uint64_t hash() const { return stateHash(clay, history.beside()); }
   bool asItWas() const {
     const auto known = hashes.find(history.place());
     return known != hashes.end() && known->second == hash();

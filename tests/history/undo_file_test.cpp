@@ -149,16 +149,32 @@ TEST(UndoFile, leadsFromSolidToSolid) {
   SolidRef before;
   for (int n = 0; n < 40; ++n) {
     const SolidRef after = testing::changedSolid(before, random);
-    const Bytes part = undo::encodeSolidPart(before, after);
+    const Bytes part = undo::encodeBesidePart(before, after);
     FileHead head = sampleHead();
     const Bytes bytes = undo::encodeUndoFile<8>(head, {}, {{}, part});
     const UndoFile<8> file(bytes, "test");
-    ASSERT_EQ(encodeSolid(file.solid(before, Direction::forward)), encodeSolid(after));
-    ASSERT_EQ(encodeSolid(file.solid(after, Direction::backward)), encodeSolid(before));
-    EXPECT_THROW(file.solid(after, Direction::forward), Error);
-    EXPECT_TRUE(undo::encodeSolidPart(after, after).empty());
+    ASSERT_EQ(encodeSolid(file.beside(before, Direction::forward).solid), encodeSolid(after));
+    ASSERT_EQ(encodeSolid(file.beside(after, Direction::backward).solid), encodeSolid(before));
+    EXPECT_THROW(file.beside(after, Direction::forward), Error);
+    EXPECT_TRUE(undo::encodeBesidePart(after, after).empty());
     before = after;
   }
+}
+
+// A file as an older program wrote it: its head says so, and its head's hash.
+Bytes asVersion(int version, Bytes bytes) {
+  const Bytes now = bytes;
+  const auto isHash = [&](std::size_t at) {
+    ByteReader in(std::span<const std::byte>(now).subspan(at), "");
+    return in.get<std::uint64_t>() == hash64(std::span(now).first(at));
+  };
+  std::size_t hashAt = 100;
+  while (!isHash(hashAt)) ++hashAt;
+  bytes[8] = static_cast<std::byte>(version);
+  ByteWriter hash;
+  hash.put(hash64(std::span(bytes).first(hashAt)));
+  std::ranges::copy(hash.bytes(), bytes.begin() + static_cast<std::ptrdiff_t>(hashAt));
+  return bytes;
 }
 
 // Those of version 1 know no solids; nothing else is different.
@@ -166,22 +182,67 @@ TEST(UndoFile, theFirstVersionIsStillRead) {
   Clay clay;
   const auto delta = dabs(clay, 2);
   FileHead head = sampleHead();
-  Bytes bytes = undo::encodeUndoFile<8>(head, delta);
-  bytes[8] = std::byte{1};
-  std::size_t hashAt = 100;
-  const auto isHash = [&](const Bytes& whole, std::size_t at) {
-    ByteReader in(std::span<const std::byte>(whole).subspan(at), "");
-    Bytes was(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(at));
-    was[8] = std::byte{2};
-    return in.get<std::uint64_t>() == hash64(was);
-  };
-  while (!isHash(bytes, hashAt)) ++hashAt;
-  ByteWriter hash;
-  hash.put(hash64(std::span(bytes).first(hashAt)));
-  std::ranges::copy(hash.bytes(), bytes.begin() + static_cast<std::ptrdiff_t>(hashAt));
+  const Bytes bytes = asVersion(1, undo::encodeUndoFile<8>(head, delta));
   const UndoFile<8> file(bytes, "test");
   EXPECT_EQ(file.unpack(KeyTree<Block>(), Direction::forward).changes.size(), delta.changes.size());
-  EXPECT_EQ(file.solid(nullptr, Direction::forward), nullptr);
+  EXPECT_EQ(file.beside({}, Direction::forward).solid, nullptr);
+}
+
+// Those of version 2 know solids only.
+TEST(UndoFile, theSecondVersionIsStillRead) {
+  std::mt19937 random(4);
+  const SolidRef after = testing::changedSolid(nullptr, random);
+  const Bytes whole = undo::encodeBesidePart({}, after);
+  ByteReader in(whole, "");
+  const auto solid = in.take(in.get<std::uint32_t>());
+  FileHead head = sampleHead();
+  const Bytes bytes = asVersion(2, undo::encodeUndoFile<8>(head, {}, {{}, solid}));
+  const UndoFile<8> file(bytes, "test");
+  const Beside here{nullptr, testing::bytesOf("supports")};
+  const Beside there = file.beside(here, Direction::forward);
+  EXPECT_EQ(encodeSolid(there.solid), encodeSolid(after));
+  EXPECT_EQ(there.supports, here.supports) << "stay";
+}
+
+TEST(UndoFile, leadsFromSupportsToSupports) {
+  const auto text = [](const BytesRef& bytes) {
+    if (!bytes) return std::string();
+    return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  };
+  const std::string long1(1000, 'x');
+  const char* const cases[] = {"", "a table", "a table, a wall", "wall, a wall", "wall"};
+  for (const char* first : cases) {
+    for (const char* second : cases) {
+      const Beside before{nullptr, testing::bytesOf(first + long1), testing::bytesOf(first)};
+      const Beside after{nullptr, testing::bytesOf(second + long1), testing::bytesOf(second)};
+      const Bytes part = undo::encodeBesidePart(before, after);
+      EXPECT_LT(part.size(), 1200u) << "what both end with is there once";
+      FileHead head = sampleHead();
+      const Bytes bytes = undo::encodeUndoFile<8>(head, {}, {{}, part});
+      const UndoFile<8> file(bytes, "test");
+      const Beside on = file.beside(before, Direction::forward);
+      const Beside back = file.beside(after, Direction::backward);
+      EXPECT_EQ(text(on.supports), second + long1);
+      EXPECT_EQ(text(on.ledger), second);
+      EXPECT_EQ(text(back.supports), first + long1);
+      EXPECT_EQ(text(back.ledger), first);
+    }
+  }
+}
+
+TEST(UndoFile, aCheckpointHoldsAllThatIsBeside) {
+  std::mt19937 random(7);
+  const Beside beside{testing::changedSolid(nullptr, random), testing::bytesOf("table"),
+                      testing::bytesOf("12 added")};
+  const Clay clay;
+  undo::CheckpointWriter<8> writer(sampleHead(), clay.tree, beside);
+  Bytes bytes;
+  for (Bytes more = writer.next(); !more.empty(); more = writer.next())
+    bytes.insert(bytes.end(), more.begin(), more.end());
+  const Beside read = UndoFile<8>(bytes, "test").beside();
+  EXPECT_EQ(encodeSolid(read.solid), encodeSolid(beside.solid));
+  EXPECT_EQ(*read.supports, *beside.supports);
+  EXPECT_EQ(*read.ledger, *beside.ledger);
 }
 
 const Bytes kPicture(20, std::byte{9});
@@ -190,7 +251,7 @@ const Bytes kPicture(20, std::byte{9});
 bool sound(std::span<const std::byte> bytes, const Clay& before) {
   try {
     const UndoFile<8> file(bytes, "test");
-    file.solid(nullptr, Direction::forward);
+    file.beside({}, Direction::forward);
     file.unpack(before.tree, Direction::forward);
     return true;
   } catch (const Error&) {
@@ -206,7 +267,7 @@ TEST(UndoFile, anyDamagedByteAndAnyMissingEndIsFound) {
   });
   FileHead head = sampleHead();
   std::mt19937 random(1);
-  const Bytes solid = undo::encodeSolidPart(nullptr, testing::changedSolid(nullptr, random));
+  const Bytes solid = undo::encodeBesidePart({}, testing::changedSolid(nullptr, random));
   Bytes bytes = undo::encodeUndoFile<8>(head, delta, {kPicture, solid});
   ASSERT_TRUE(sound(bytes, before));
   for (std::size_t n = 0; n < bytes.size(); ++n) {

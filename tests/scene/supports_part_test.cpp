@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bozzetto/scene/scene_file.hpp"
+#include "bozzetto/scene/support_bytes.hpp"
 #include "scene/parts_codec.hpp"
 #include "scene/scenes.hpp"
 

@@ -1,4 +1,4 @@
-// Shelf, supports and settings that were not saved come back, as steps do.
+// Shelf and settings that were not saved come back, as steps do, and supports with their steps.
 #include <gtest/gtest.h>
 
 #include "bozzetto/base/file.hpp"
@@ -45,7 +45,7 @@ TEST_F(Kept, comesBackAndIsSaved) {
   {
     Session session = Session::open(scene_);
     EXPECT_TRUE(session.findings().recovered);
-    EXPECT_EQ(session.findings().unsavedSteps, 0u);
+    EXPECT_EQ(session.findings().unsavedSteps, 1u) << "the support";
     EXPECT_EQ(session.findings().notices.size(), 1u);
     EXPECT_EQ(standing(session), 2u);
     EXPECT_EQ(session.parts.settings.at("theme"), "dusk");
@@ -96,7 +96,8 @@ TEST_F(Kept, damageIsToldAndHarmsNothing) {
   Session session = Session::open(scene_);
   ASSERT_EQ(session.findings().notices.size(), 1u);
   EXPECT_NE(session.findings().notices[0].find("parts.bzt"), std::string::npos);
-  EXPECT_EQ(standing(session), 1u);
+  EXPECT_FALSE(session.parts.settings.contains("theme"));
+  EXPECT_EQ(standing(session), 2u) << "a step of history";
 }
 
 TEST_F(Kept, alsoWhereTheFileIsLost) {
@@ -122,7 +123,7 @@ TEST_F(Kept, savedUnderAnotherNameItIsSaved) {
 
 TEST_F(Kept, noPlaceOnTheDiskIsTold) {
   Session session = Session::open(scene_);
-  session.sculptor().apply(SupportOperation{});
+  session.parts.settings["theme"] = "dusk";
   fs::create_directories(file_ / "in the way");
   session.keepParts();
   EXPECT_NE(session.trouble(), "");

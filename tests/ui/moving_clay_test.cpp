@@ -19,8 +19,8 @@ TEST_F(Moving, aPushTakesThePanelsSettingsAndKeepsTheMass) {
   drag(middle(), middle() + glm::dvec2(30, 10));
   EXPECT_EQ(atelier_.status().clay.settings.stiffness, 0.2);
   EXPECT_EQ(atelier_.status().clay.settings.layers.size(), 2u);
-  EXPECT_EQ(atelier_.status().movedSteps, 1u);
-  EXPECT_LT(std::abs(atelier_.status().drift), 1e-6 * mass());
+  EXPECT_EQ(atelier_.status().ledger.moves, 1);
+  EXPECT_LT(std::abs(atelier_.status().ledger.drift), 1e-6 * mass());
   expectReplays();
 }
 
@@ -31,7 +31,7 @@ TEST_F(Moving, relaxIsOneStep) {
   tap(letter('R'));
   settle();
   EXPECT_EQ(steps(), before + 1);
-  EXPECT_EQ(atelier_.status().movedSteps, 2u);
+  EXPECT_EQ(atelier_.status().ledger.moves, 2);
   expectReplays();
 }
 
@@ -63,6 +63,112 @@ TEST_F(Moving, supportsArePlacedDraggedAndTakenAway) {
   settle();
   EXPECT_EQ(atelier_.status().clay.supports.size(), 1u);
   expectReplays();
+}
+
+TEST_F(Moving, undoPutsASupportBack) {
+  moveTo(middle());
+  settle();
+  tap(letter('Y'));
+  settle();
+  const auto centre = [&] { return atelier_.status().clay.supports.at(0).centre; };
+  const glm::dvec3 placed = centre();
+  const std::size_t before = steps();
+  drag(middle(), middle() + glm::dvec2(120, 0));
+  const glm::dvec3 moved = centre();
+  EXPECT_NE(moved, placed);
+  EXPECT_EQ(steps(), before + 1);
+  tapCtrl(letter('Z'));
+  settle();
+  EXPECT_EQ(centre(), placed);
+  tapCtrl(letter('Z'));
+  settle();
+  EXPECT_TRUE(atelier_.status().clay.supports.empty());
+  atelier_.run(Command::redo);
+  atelier_.run(Command::redo);
+  settle();
+  EXPECT_EQ(centre(), moved);
+  atelier_.chosenSupport = 0;
+  tap(KeyCode::del);
+  settle();
+  EXPECT_TRUE(atelier_.status().clay.supports.empty());
+  tapCtrl(letter('Z'));
+  settle();
+  EXPECT_EQ(centre(), moved);
+}
+
+TEST_F(Moving, shiftTurnsASupportCtrlBringsItNearerEscLeavesIt) {
+  moveTo(middle());
+  settle();
+  tap(letter('Y'));
+  settle();
+  const auto support = [&] { return atelier_.status().clay.supports.at(0); };
+  const clay::Support placed = support();
+  const std::size_t before = steps();
+  post(KeyChanged{KeyCode::leftShift, true, false});
+  drag(middle(), middle() + glm::dvec2(40, 0));
+  post(KeyChanged{KeyCode::leftShift, false, false});
+  EXPECT_EQ(support().centre, placed.centre);
+  EXPECT_NE(support().rotation, placed.rotation);
+  const glm::dquat turned = support().rotation;
+  post(KeyChanged{KeyCode::leftControl, true, false});
+  drag(middle(), middle() + glm::dvec2(0, 50));
+  post(KeyChanged{KeyCode::leftControl, false, false});
+  EXPECT_EQ(support().rotation, turned);
+  const glm::dvec3 way = support().centre - placed.centre;
+  EXPECT_GT(glm::dot(way, atelier_.view.back()), 0.99 * glm::length(way));
+  EXPECT_GT(glm::length(way), 1);
+  EXPECT_EQ(steps(), before + 2);
+  const clay::Support there = support();
+  moveTo(middle());
+  settle();
+  post(ButtonChanged{Button::left, true});
+  moveTo(middle() + glm::dvec2(50, 50));
+  settle();
+  EXPECT_NE(support().centre, there.centre);
+  tap(KeyCode::escape);
+  post(ButtonChanged{Button::left, false});
+  settle();
+  EXPECT_EQ(support().centre, there.centre);
+  EXPECT_EQ(steps(), before + 2);
+}
+
+TEST_F(Moving, ctrlLetsHeldClayGo) {
+  const auto held = [&] {
+    std::uint64_t sum = 0;
+    atelier_.worker().post([&](ClayDesk& desk) {
+      for (const auto& [key, run] : desk.sculptor().field().tree)
+        for (const Attributes each : run.block->attributes) sum += holdOf(each);
+    });
+    settle();
+    return sum;
+  };
+  tap(letter('M'));
+  settle();
+  ASSERT_EQ(atelier_.sculpt.action, ActionKind::hold);
+  drag(middle(), middle() + glm::dvec2(30, 10));
+  const std::uint64_t much = held();
+  EXPECT_GT(much, 1000u);
+  drag(middle(), middle() + glm::dvec2(30, 10));
+  EXPECT_GE(held(), much);
+  post(KeyChanged{KeyCode::leftControl, true, false});
+  settle();
+  EXPECT_EQ(atelier_.actionNow(), ActionKind::free);
+  drag(middle(), middle() + glm::dvec2(30, 10));
+  post(KeyChanged{KeyCode::leftControl, false, false});
+  EXPECT_LT(held(), much / 3);
+  expectReplays();
+}
+
+// A layer that is off has lost its number, not its place.
+TEST_F(Moving, theDocumentKeepsWhatThePanelSays) {
+  atelier_.sculpt.clay.stiffness = 0.2;
+  settle();
+  EXPECT_EQ(atelier_.status().clay.settings.stiffness, 0.2);
+  EXPECT_EQ(atelier_.sculpt.layerOrder.size(), 5u);
+  atelier_.sculpt.clay.layers = {clay::LayerKind::conservation, clay::LayerKind::tension};
+  settle();
+  EXPECT_EQ(atelier_.status().clay.settings.layers.size(), 2u);
+  EXPECT_EQ(atelier_.sculpt.layerOrder[0], clay::LayerKind::displacement);
 }
 
 TEST_F(Moving, theBoxIsHeldAndLetGo) {

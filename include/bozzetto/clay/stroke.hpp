@@ -31,6 +31,8 @@ struct Setup {
 
 /// Throws Error for radii and rotations that are none, and freeform ones without a sculpture.
 void requireValid(const Support& support);
+/// Throws Error for one that is not wholly in the workspace.
+void requireInWorkspace(const Support& support, double spacing);
 
 /// What the tool does: its role, and how strongly a swelling one swells, 0 … 1.
 struct Doing {

@@ -1,6 +1,6 @@
-// The history of a document: every step that changed clay or solid, undone ones and branches too.
-// Recent steps are pointers to blocks; older ones are undo-files on the disk (Ferley §3.3), or
-// their bytes in memory where there is no folder. The undo-files are the journal as well.
+// The history of a document: every step that changed clay or what is beside it, undone ones and
+// branches too. Recent steps are pointers to blocks; older ones are undo-files on the disk (Ferley
+// §3.3), or their bytes in memory where there is no folder. The undo-files are the journal as well.
 //
 // Not for use by several threads at once. Handing over a step costs O(changed blocks) pointers;
 // a thread of its own writes it.
@@ -13,8 +13,8 @@
 
 #include "bozzetto/base/bytes.hpp"
 #include "bozzetto/base/file_system.hpp"
+#include "bozzetto/history/beside.hpp"
 #include "bozzetto/history/step_tree.hpp"
-#include "bozzetto/solid/solid.hpp"
 
 namespace bozzetto {
 
@@ -42,15 +42,15 @@ class History {
   History& operator=(History&&) noexcept;
   ~History();
 
-  /// A step from where we are to what clay and solid are now; we are there then. A step after undo
-  /// begins a branch; the old one stays. `thumbnail`: a PNG, or empty.
-  StepNumber push(DeltaPointer delta, StepNote note, SolidRef solid = nullptr,
-                  Bytes thumbnail = {});
+  /// A step from where we are to what clay and the rest are now; we are there then. A step after
+  /// undo begins a branch; the old one stays. `thumbnail`: a PNG, or empty.
+  StepNumber push(DeltaPointer delta, StepNote note, Beside beside = {}, Bytes thumbnail = {});
 
-  /// The solid that is worked on where we are; null when there is none.
-  const SolidRef& solid() const;
-  /// The solid that there was before all steps.
-  void placeSolid(SolidRef solid);
+  /// What stands beside the clay where we are.
+  const Beside& beside() const;
+  const SolidRef& solid() const { return beside().solid; }
+  /// What there was before all steps.
+  void place(Beside beside);
 
   const StepTree& tree() const;
   StepNumber place() const { return tree().place(); }
@@ -70,8 +70,8 @@ class History {
     FieldScale scale;     ///< of the clay now
     std::string trouble;  ///< empty, or why it ended early: a step was lost and is cut off
   };
-  /// Brings clay and solid to another state and goes there. Costs the blocks of the steps between.
-  /// Throws Error for a state that is not in the tree.
+  /// Brings clay and the rest to another state and goes there. Costs the blocks of the steps
+  /// between. Throws Error for a state that is not in the tree.
   Journey goTo(StepNumber state, Tree& clay, const FieldScale& scale);
 
   /// The clay of another state; `clay` is that of this place, and stays. Throws Error for states

@@ -26,7 +26,7 @@ template <int Side>
 struct SavedScene {
   Field<Side> field;
   HistoryPlace place;  ///< what it remembers
-  SolidRef solid{};    ///< that was worked on
+  Beside beside{};     ///< the clay
 };
 
 /// The place of a scene's file that remembers none.
@@ -35,7 +35,7 @@ inline constexpr HistoryPlace kUnknownPlace{0, 0, 1, 0};
 template <int Side>
 struct OpenedHistory {
   History<Side> history;
-  Field<Side> field;  ///< as of the last durable step or move; the history knows the solid
+  Field<Side> field;  ///< as of the last durable step or move; the history knows what is beside it
   /// Somebody else has the document: nothing that happens now is written.
   bool readOnly = false;
   /// Whether `field` is not what the scene's file holds, and how many steps lie between.

@@ -55,6 +55,7 @@ struct ToolGhost {
   glm::dmat4 cellsFromLimit{1};
   ToolDisplay display = ToolDisplay::transparent;
   Ink ink{1, .725f, .541f, 1};
+  float hidden = .42f;  ///< how much of a transparent one is seen behind clay
 };
 
 /// Where the tool works in empty air: a faint plane, and its shadow on the floor below.

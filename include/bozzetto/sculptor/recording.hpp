@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "bozzetto/sculptor/operation.hpp"
@@ -12,6 +13,12 @@ namespace bozzetto {
 struct Recording {
   std::vector<Operation> operations;
   std::filesystem::path folder{};  ///< where its relative paths start
+  /// Where each operation was read, "NAME:LINE: "; nothing for one that was not.
+  std::vector<std::string> places{};
+
+  std::string placeOf(std::size_t operation) const {
+    return operation < places.size() ? places[operation] : std::string();
+  }
 };
 
 /// Parses the whole text. Throws Error "NAME:LINE: …" for the first line that is not right; empty

@@ -19,6 +19,7 @@ struct ReplayOptions {
   std::vector<clay::Support> supports{};  ///< of the document
   clay::Stiffness stiffness{};            ///< of the document
   clay::Settings settings{};              ///< of the document
+  MassLedger ledger{};                    ///< of the document
   int depth = 0;                          ///< of recordings that make tools for recordings
 };
 
@@ -29,6 +30,7 @@ struct ReplayResult {
   std::vector<clay::Support> supports;   ///< of the document
   clay::Stiffness stiffness;             ///< of the document
   clay::Settings settings;               ///< of the document
+  MassLedger ledger;                     ///< of the document
   std::vector<OperationReport> reports;  ///< one an operation
 };
 

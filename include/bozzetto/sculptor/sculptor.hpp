@@ -32,7 +32,11 @@ class BasicSculptor {
   /// The solid of a document just opened: no step of history.
   void place(SolidRef solid) { bench_.placeSolid(std::move(solid)); }
   /// The supports of a document just opened: no step of history.
-  void place(std::vector<clay::Support> supports) { bench_.clay.supports = std::move(supports); }
+  void place(std::vector<clay::Support> supports) { bench_.placeSupports(std::move(supports)); }
+  /// The ledger of a document just opened: no step of history.
+  void place(const MassLedger& ledger) { bench_.placeLedger(ledger); }
+  /// Where the clay's mass came from and went.
+  const MassLedger& ledger() const { return bench_.ledger(); }
   /// The painted stiffness of a document just opened: no step of history.
   void place(clay::Stiffness stiffness) { bench_.placeStiffness(std::move(stiffness)); }
   /// How the clay of a document just opened behaves: no step of history.

@@ -70,11 +70,11 @@ class Session {
 
   Sculptor& sculptor() { return sculptor_; }
   const Sculptor& sculptor() const { return sculptor_; }
-  /// All but clay and solid; whoever has them changes them. But for the shelf, which is the
-  /// sculptor's: here it stays as it was opened.
+  /// All but clay and solid; whoever has them changes them. But for shelf and supports, which are
+  /// the sculptor's: here they stay as they were opened.
   SceneParts parts;
 
-  /// Puts what is neither clay nor solid (shelf, supports, settings) on the disk where it changed
+  /// Puts what is no step of history (shelf, settings) on the disk where it changed
   /// since the last call, so that a crash does not take it. Costs a comparison where nothing did.
   void keepParts();
   /// What keeps the disk from being up to date, for people; empty when all is well.

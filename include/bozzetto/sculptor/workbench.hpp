@@ -11,6 +11,7 @@
 #include "bozzetto/clay/stroke.hpp"
 #include "bozzetto/field/field.hpp"
 #include "bozzetto/history/history.hpp"
+#include "bozzetto/sculptor/ledger.hpp"
 #include "bozzetto/sculptor/report.hpp"
 #include "bozzetto/sculptor/tool_library.hpp"
 #include "bozzetto/solid/solid.hpp"
@@ -56,17 +57,19 @@ class Workbench {
   const Surface<Side>& surface() const { return surface_; }  ///< needs upkeep
   /// Since the last call. Needs upkeep; empty without.
   SurfaceChanges takeChanges();
-  double mass() const;  ///< world units; a ledger, not a count: O(1)
+  double mass() const;  ///< world units; from a running sum, not a count: O(1)
+  /// Where it came from, up to the state we are in.
+  const MassLedger& ledger() const { return ledger_; }
 
   /// The solid being worked on; null when there is none.
   const SolidRef& solid() const { return history_.solid(); }
   /// What the solid is after the next `keep`, whose step remembers both.
   void setSolid(SolidRef solid) { nextSolid_ = std::move(solid); }
   /// Puts a solid there without a step, before all others.
-  void placeSolid(SolidRef solid) {
-    nextSolid_ = solid;
-    history_.placeSolid(std::move(solid));
-  }
+  void placeSolid(SolidRef solid);
+  /// Supports and a ledger likewise.
+  void placeSupports(std::vector<clay::Support> supports);
+  void placeLedger(const MassLedger& ledger);
 
   Hand hand;
   ToolLibrary tools;  ///< where names of tools lead; no step of history
@@ -108,19 +111,21 @@ class Workbench {
   template <class Run>
   void note(std::span<const Run> changed, const RefreshReport& report);
   void account(const Delta<Block>& delta);
-  void rememberSetup();
+  void enter(double change, const OperationReport& report);
+  Beside besideNow();
+  void takeBeside();
+  void rememberStiffness();
 
   Field<Side> field_;
   Surface<Side> surface_;
   SurfaceChanges changes_;
   History<Side> history_;
   SolidRef nextSolid_;
-  // Of states since opening.
-  struct Kept {
-    std::vector<clay::Support> supports;
-    clay::Stiffness stiffness;
-  };
-  std::map<StepNumber, Kept> setups_;
+  // Of supports and ledger, what the history was told last.
+  std::vector<clay::Support> toldSupports_;
+  BytesRef supportBytes_, ledgerBytes_;
+  MassLedger ledger_, toldLedger_;
+  std::map<StepNumber, clay::Stiffness> stiffnesses_;  // of states since opening
   clay::Stiffness stiffness_;  // of the present state, whatever a stroke paints just now
   SurfaceUpkeep upkeep_;
   std::optional<std::vector<KeyRun>> waiting_;  // for the surface, while it is let wait
