@@ -236,7 +236,7 @@ TEST(Replay, faultsNameTheOperation) {
     replay(recording, {});
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()).substr(0, 12), "operation 2:");
+    EXPECT_EQ(std::string(error.what()).substr(0, 20), "test:3: operation 2:");
   }
 }
 

@@ -88,7 +88,7 @@ TEST_F(InFolder, supportsThatWereNotSavedComeBackToo) {
   }
   NullWindow window(scene_);
   EXPECT_EQ(window.atelier_.status().clay.supports.size(), 1u);
-  EXPECT_EQ(window.atelier_.dialog, Dialog::none) << "the clay is as it was saved";
+  EXPECT_EQ(window.atelier_.dialog, Dialog::recovered) << "a support is a step, unsaved so far";
   EXPECT_TRUE(window.atelier_.isModified());
 }
 
