@@ -184,9 +184,10 @@ void ledgerSection(Atelier& atelier) {
   const OperationReport& last = status.last;
   const double mass = last.op.empty() ? atelier.statistics().field.mass : status.mass;
   factLine("Mass now", fmt::format("{:.8g} mm³", mass), "Σ density × cell volume, exact.");
-  if (last.op.empty()) return;
-  factLine("Before", fmt::format("{:.8g} mm³", last.massBefore), "The last operation.");
-  factLine("Change", fmt::format("{:+.4g} mm³", last.massAfter - last.massBefore));
+  if (!last.op.empty()) {
+    factLine("Before", fmt::format("{:.8g} mm³", last.massBefore), "The last operation.");
+    factLine("Change", fmt::format("{:+.4g} mm³", last.massAfter - last.massBefore));
+  }
   const MassLedger& ledger = status.ledger;
   factLine("Added", fmt::format("{:.6g} mm³", ledger.added), "By strokes and shapes that give.");
   factLine("Removed", fmt::format("{:.6g} mm³", ledger.removed), "By those that take.");
@@ -195,7 +196,7 @@ void ledgerSection(Atelier& atelier) {
   if (ledger.moves == 0) return;
   factLine("Moved without loss", grouped((long long)ledger.moves),
            "Strokes that move clay, and relaxations.");
-  factLine("Drift of these", part(ledger.drift, status.mass), "All together; 1 ppm is promised.");
+  factLine("Drift of these", part(ledger.drift, mass), "All together; 1 ppm is promised.");
 }
 
 void holdSection(Atelier& atelier) {

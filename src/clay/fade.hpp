@@ -5,7 +5,8 @@
 
 namespace bozzetto::clay {
 
-/// Fills the region's `fade`: 1 … 0 over so many cells towards the rim. O(cells of the box).
+/// Fills the region's `fade`: 1 … 0 over so many cells towards sides that cut clay. O(cells of the
+/// box).
 void fadeTowardsRim(Region& region, double cells);
 
 }  // namespace bozzetto::clay

@@ -88,26 +88,26 @@ BytesRef bytesBeyond(const BytesRef& here, std::span<const std::byte> part, Dire
 }
 
 // Each with its length before it.
-Bytes joined(std::span<const std::byte> solid, std::span<const std::byte> supports,
-             std::span<const std::byte> ledger) {
+struct Parts {
+  std::span<const std::byte> solid{}, supports{}, ledger{}, stiffness{};
+};
+
+Bytes joined(const Parts& parts) {
   ByteWriter out;
-  if (solid.empty() && supports.empty() && ledger.empty()) return out.take();
-  for (const auto& each : {solid, supports, ledger}) {
+  const auto all = {parts.solid, parts.supports, parts.ledger, parts.stiffness};
+  if (std::ranges::all_of(all, [](const auto& each) { return each.empty(); })) return out.take();
+  for (const auto& each : all) {
     out.put(static_cast<std::uint32_t>(each.size()));
     out.put(each);
   }
   return out.take();
 }
 
-struct Parts {
-  std::span<const std::byte> solid{}, supports{}, ledger{};
-};
-
 Parts partsOf(std::span<const std::byte> bytes, BesideForm form, const std::string& name) {
   Parts parts{bytes};
   if (form == BesideForm::solidAlone || bytes.empty()) return parts;
   ByteReader in(bytes, name);
-  for (auto* part : {&parts.solid, &parts.supports, &parts.ledger})
+  for (auto* part : {&parts.solid, &parts.supports, &parts.ledger, &parts.stiffness})
     *part = in.take(in.get<std::uint32_t>());
   if (in.remaining() > 0) throw Error(name + ": bytes too many beside the clay");
   return parts;
@@ -116,9 +116,10 @@ Parts partsOf(std::span<const std::byte> bytes, BesideForm form, const std::stri
 }  // namespace
 
 Bytes encodeBesidePart(const Beside& before, const Beside& after) {
-  return joined(encodeSolidPart(before.solid, after.solid),
-                encodeBytesPart(before.supports, after.supports),
-                encodeBytesPart(before.ledger, after.ledger));
+  const Bytes solid = encodeSolidPart(before.solid, after.solid);
+  const Bytes supports = encodeBytesPart(before.supports, after.supports);
+  const Bytes ledger = encodeBytesPart(before.ledger, after.ledger);
+  return joined({solid, supports, ledger, encodeBytesPart(before.stiffness, after.stiffness)});
 }
 
 Beside besideBeyond(const Beside& here, std::span<const std::byte> part, Direction direction,
@@ -126,16 +127,20 @@ Beside besideBeyond(const Beside& here, std::span<const std::byte> part, Directi
   const Parts parts = partsOf(part, form, name);
   return {solidBeyond(here.solid, parts.solid, direction, name),
           bytesBeyond(here.supports, parts.supports, direction, name),
-          bytesBeyond(here.ledger, parts.ledger, direction, name)};
+          bytesBeyond(here.ledger, parts.ledger, direction, name),
+          bytesBeyond(here.stiffness, parts.stiffness, direction, name)};
 }
 
 Bytes encodeBeside(const Beside& beside) {
-  return joined(encodeSolid(beside.solid), bytesOf(beside.supports), bytesOf(beside.ledger));
+  const Bytes solid = encodeSolid(beside.solid);
+  return joined(
+      {solid, bytesOf(beside.supports), bytesOf(beside.ledger), bytesOf(beside.stiffness)});
 }
 
 Beside decodeBeside(std::span<const std::byte> bytes, BesideForm form, const std::string& name) {
   const Parts parts = partsOf(bytes, form, name);
-  return {decodeSolid(parts.solid, name), copyOf(parts.supports), copyOf(parts.ledger)};
+  return {decodeSolid(parts.solid, name), copyOf(parts.supports), copyOf(parts.ledger),
+          copyOf(parts.stiffness)};
 }
 
 }  // namespace bozzetto::undo

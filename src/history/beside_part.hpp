@@ -14,7 +14,7 @@ enum class BesideForm { solidAlone, whole };
 Bytes encodeBesidePart(const Beside& before, const Beside& after);
 
 /// What `here` is after, or was before the step. Throws Error, `name` first, where the solid here
-/// is not what the part was made from. Supports and ledger are what the part says; where it
+/// is not what the part was made from. Supports, ledger and paint are what the part says; where it
 /// says nothing they stay.
 Beside besideBeyond(const Beside& here, std::span<const std::byte> part, Direction direction,
                     BesideForm form, const std::string& name);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bozzetto/scene/clay_bytes.hpp"
+#include "bozzetto/scene/stiffness_bytes.hpp"
 #include "bozzetto/scene/support_bytes.hpp"
 
 namespace bozzetto {
@@ -291,6 +292,10 @@ std::vector<clay::Support> decodeSupports(std::span<const std::byte> bytes,
   }
   requireEnd(in, name);
   return supports;
+}
+
+Bytes encodeStiffness(const clay::Stiffness& stiffness) {
+  return stiffness.any() ? encodeClay(*stiffness.painted) : Bytes();
 }
 
 clay::Stiffness decodeStiffness(std::span<const std::byte> bytes, const std::string& name) {

@@ -24,9 +24,6 @@ View decodeView(std::span<const std::byte> bytes, const std::string& name);
 Bytes encodeItem(const ShelfItem& item);
 ShelfItem decodeItem(std::span<const std::byte> bytes, const std::string& name);
 
-/// Of what encodeClay made of painted stiffness, some at least.
-clay::Stiffness decodeStiffness(std::span<const std::byte> bytes, const std::string& name);
-
 /// Empty, or bytes that begin as a PNG does and are no more than 16 MiB.
 Bytes checkedThumbnail(std::span<const std::byte> bytes, const std::string& name);
 

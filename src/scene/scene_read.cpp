@@ -5,6 +5,7 @@
 
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/base/parallel.hpp"
+#include "bozzetto/scene/stiffness_bytes.hpp"
 #include "bozzetto/scene/support_bytes.hpp"
 #include "bozzetto/solid/solid_codec.hpp"
 #include "scene/chunk_codec.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bozzetto/base/parallel.hpp"
-#include "bozzetto/scene/clay_bytes.hpp"
+#include "bozzetto/scene/stiffness_bytes.hpp"
 #include "bozzetto/scene/support_bytes.hpp"
 #include "bozzetto/solid/solid_codec.hpp"
 #include "scene/layout.hpp"
@@ -81,11 +81,8 @@ std::size_t writeParts(Database& database, const Document& document) {
   const Bytes supports = encodeSupports(parts.supports);
   decodeSupports(supports, name + ": cannot save supports");
   bytes += putAny(rows, Part::supports, parts.supports.empty() ? Bytes() : supports);
-  Bytes stiffness;
-  if (parts.stiffness.any()) {
-    stiffness = encodeClay(*parts.stiffness.painted);
-    decodeStiffness(stiffness, name + ": cannot save stiffness");
-  }
+  const Bytes stiffness = encodeStiffness(parts.stiffness);
+  if (!stiffness.empty()) decodeStiffness(stiffness, name + ": cannot save stiffness");
   bytes += putAny(rows, Part::stiffness, stiffness);
   database.run("DELETE FROM shelf");
   RowWriter shelf(database, Table::shelf);

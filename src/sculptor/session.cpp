@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bozzetto/history/copy.hpp"
+#include "bozzetto/scene/stiffness_bytes.hpp"
 #include "bozzetto/scene/support_bytes.hpp"
 #include "bozzetto/sculptor/clay_settings.hpp"
 #include "bozzetto/solid/solid_codec.hpp"
@@ -46,19 +47,21 @@ HistoryPlace takePlace(SceneParts& parts) {
 BytesRef refTo(Bytes bytes) { return std::make_shared<const Bytes>(std::move(bytes)); }
 
 // Clay, place in the history and what is beside the clay are the history's; the rest stays, and
-// supports, so that what changed shows.
+// supports and paint, so that what changed shows.
 SavedScene<8> takeSaved(Document& document, const fs::path& scene) {
   SceneParts& parts = document.parts;
   Beside beside(decodeSolid(std::exchange(parts.solid, {}), scene.string()));
   if (!parts.supports.empty()) beside.supports = refTo(encodeSupports(parts.supports));
+  if (parts.stiffness.any()) beside.stiffness = refTo(encodeStiffness(parts.stiffness));
   const MassLedger ledger = takeLedger(parts, scene.string());
   if (!(ledger == MassLedger{})) beside.ledger = refTo(encodeLedger(ledger));
   return {std::move(document.field), takePlace(parts), std::move(beside)};
 }
 
-// Supports are in the steps of the history.
-SceneParts withoutSupports(SceneParts parts) {
+// Supports and painted stiffness are in the steps of the history.
+SceneParts withoutSteps(SceneParts parts) {
   parts.supports.clear();
+  parts.stiffness = {};
   return parts;
 }
 
@@ -110,13 +113,14 @@ Session::Session(fs::path path, Opened opened, const SessionOptions& options)
                 options.upkeep) {
   if (opened.kept) opened.kept->thumbnail = parts.thumbnail;
   if (opened.kept) opened.kept->supports = parts.supports;
+  if (opened.kept) opened.kept->stiffness = parts.stiffness;
   if (opened.kept && *opened.kept != parts) {
     findings_.recovered = true;
     findings_.notices.push_back("Shelf and settings that were not saved are back");
     parts = std::move(*opened.kept);
   }
   give(parts);
-  kept_->begin(withoutSupports(parts));
+  kept_->begin(withoutSteps(parts));
 }
 
 Session::Session(Session&&) noexcept = default;
@@ -126,7 +130,6 @@ Session::~Session() = default;
 // To the sculptor, whose business they are from now on.
 void Session::give(const SceneParts& given) {
   sculptor_.tools().shelf = given.shelf;
-  sculptor_.place(given.stiffness);
   sculptor_.place(settingsOf(given, path_.string()));
 }
 
@@ -264,13 +267,13 @@ void Session::markSaved(const Document& document) {
   takeLedger(savedParts_, path_.string());
   saves_ = takeSaves(savedParts_);
   sculptor_.history().markSaved(takePlace(savedParts_));
-  kept_->drop(sculptor_.history().folder(), withoutSupports(savedParts_));
+  kept_->drop(sculptor_.history().folder(), withoutSteps(savedParts_));
   keepParts();
 }
 
 void Session::keepParts() {
   if (!sculptor_.history().onDisk()) return;
-  kept_->keep(sculptor_.history().folder(), withoutSupports(partsNow()), saves_);
+  kept_->keep(sculptor_.history().folder(), withoutSteps(partsNow()), saves_);
 }
 
 std::string Session::trouble() const {
@@ -328,7 +331,7 @@ void Session::discard(Session session) {
     const auto saved = session.sculptor_.history().savedState();
     if (saved) session.sculptor_.apply(GoToOperation{*saved});
     session.give(session.savedParts_);
-    session.kept_->drop(folder, withoutSupports(session.savedParts_));
+    session.kept_->drop(folder, withoutSteps(session.savedParts_));
     return;
   }
   { const Session ended = std::move(session); }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bozzetto/scene/stiffness_bytes.hpp"
 #include "bozzetto/scene/support_bytes.hpp"
 #include "sculptor/timer.hpp"
 
@@ -72,21 +73,12 @@ void Workbench<Side>::keep(Edit<Block>& edit, const FieldScale& scale, Operation
   if (!std::exchange(followed_, false)) show(*delta, report);
   Bytes picture = takePicture ? takePicture() : Bytes();
   const Timer timer(report.msHistory);
-  rememberStiffness();
   std::string label = report.op;
   if (label == "stroke") {
     label += hand.recall ? " recall" : " " + std::string(toText(hand.action.kind));
   }
   StepNote note{std::move(label), before, scale};
   history_.push(std::move(delta), std::move(note), besideNow(), std::move(picture));
-  stiffness_ = clay.stiffness;
-}
-
-// That of the state we are about to leave.
-template <int Side>
-void Workbench<Side>::rememberStiffness() {
-  std::erase_if(stiffnesses_, [&](const auto& each) { return !history_.tree().has(each.first); });
-  stiffnesses_[history_.place()] = stiffness_;
 }
 
 // One line of the ledger.
@@ -114,7 +106,13 @@ Beside Workbench<Side>::besideNow() {
     toldLedger_ = ledger_;
     ledgerBytes_ = std::make_shared<const Bytes>(encodeLedger(ledger_));
   }
-  return {nextSolid_, supportBytes_, ledgerBytes_};
+  if (!(clay.stiffness == toldStiffness_)) {
+    toldStiffness_ = clay.stiffness;
+    stiffnessBytes_ = nullptr;
+    if (toldStiffness_.any())
+      stiffnessBytes_ = std::make_shared<const Bytes>(encodeStiffness(toldStiffness_));
+  }
+  return {nextSolid_, supportBytes_, ledgerBytes_, stiffnessBytes_};
 }
 
 // What the history has where we are.
@@ -124,12 +122,29 @@ void Workbench<Side>::takeBeside() {
   nextSolid_ = now.solid;
   ledgerBytes_ = now.ledger;
   ledger_ = toldLedger_ = now.ledger ? decodeLedger(*now.ledger, "history") : MassLedger{};
+  takeStiffness(now.stiffness);
   if (now.supports == supportBytes_) return;
   supportBytes_ = now.supports;
   std::vector<clay::Support> supports;
   if (now.supports) supports = decodeSupports(*now.supports, "history: supports");
   adoptSculptures(supports, clay.supports);
   clay.supports = toldSupports_ = std::move(supports);
+}
+
+template <int Side>
+void Workbench<Side>::takeStiffness(const BytesRef& bytes) {
+  if (bytes != stiffnessBytes_) {
+    stiffnessBytes_ = bytes;
+    toldStiffness_ = {};
+    if (bytes) toldStiffness_ = decodeStiffness(*bytes, "history: stiffness");
+  }
+  clay.stiffness = toldStiffness_;
+}
+
+template <int Side>
+void Workbench<Side>::placeStiffness(clay::Stiffness stiffness) {
+  clay.stiffness = std::move(stiffness);
+  history_.place(besideNow());
 }
 
 template <int Side>
@@ -219,15 +234,12 @@ void Workbench<Side>::note(std::span<const Run> changed, const RefreshReport& re
 template <int Side>
 std::string Workbench<Side>::goTo(StepNumber state, OperationReport& report) {
   typename History<Side>::Journey journey;
-  rememberStiffness();
   {
     const Timer timer(report.msHistory);
     journey = history_.goTo(state, field_.tree, field_.scale);
     account(*journey.delta);
   }
   field_.scale = journey.scale;
-  const auto stiffness = stiffnesses_.find(history_.place());
-  if (stiffness != stiffnesses_.end()) placeStiffness(stiffness->second);
   report.changedBlocks += journey.delta->changes.size();
   show(*journey.delta, report);
   takeBeside();

@@ -213,8 +213,11 @@ TEST(UndoFile, leadsFromSupportsToSupports) {
   const char* const cases[] = {"", "a table", "a table, a wall", "wall, a wall", "wall"};
   for (const char* first : cases) {
     for (const char* second : cases) {
-      const Beside before{nullptr, testing::bytesOf(first + long1), testing::bytesOf(first)};
-      const Beside after{nullptr, testing::bytesOf(second + long1), testing::bytesOf(second)};
+      const auto beside = [&](const std::string& start) {
+        return Beside{nullptr, testing::bytesOf(start + long1), testing::bytesOf(start),
+                      testing::bytesOf(start + start)};
+      };
+      const Beside before = beside(first), after = beside(second);
       const Bytes part = undo::encodeBesidePart(before, after);
       EXPECT_LT(part.size(), 1200u) << "what both end with is there once";
       FileHead head = sampleHead();
@@ -224,8 +227,10 @@ TEST(UndoFile, leadsFromSupportsToSupports) {
       const Beside back = file.beside(after, Direction::backward);
       EXPECT_EQ(text(on.supports), second + long1);
       EXPECT_EQ(text(on.ledger), second);
+      EXPECT_EQ(text(on.stiffness), std::string(second) + second);
       EXPECT_EQ(text(back.supports), first + long1);
       EXPECT_EQ(text(back.ledger), first);
+      EXPECT_EQ(text(back.stiffness), std::string(first) + first);
     }
   }
 }
@@ -233,7 +238,7 @@ TEST(UndoFile, leadsFromSupportsToSupports) {
 TEST(UndoFile, aCheckpointHoldsAllThatIsBeside) {
   std::mt19937 random(7);
   const Beside beside{testing::changedSolid(nullptr, random), testing::bytesOf("table"),
-                      testing::bytesOf("12 added")};
+                      testing::bytesOf("12 added"), testing::bytesOf("soft")};
   const Clay clay;
   undo::CheckpointWriter<8> writer(sampleHead(), clay.tree, beside);
   Bytes bytes;
@@ -243,6 +248,7 @@ TEST(UndoFile, aCheckpointHoldsAllThatIsBeside) {
   EXPECT_EQ(encodeSolid(read.solid), encodeSolid(beside.solid));
   EXPECT_EQ(*read.supports, *beside.supports);
   EXPECT_EQ(*read.ledger, *beside.ledger);
+  EXPECT_EQ(*read.stiffness, *beside.stiffness);
 }
 
 const Bytes kPicture(20, std::byte{9});

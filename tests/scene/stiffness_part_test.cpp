@@ -3,7 +3,7 @@
 
 #include "bozzetto/scene/clay_bytes.hpp"
 #include "bozzetto/scene/scene_file.hpp"
-#include "scene/parts_codec.hpp"
+#include "bozzetto/scene/stiffness_bytes.hpp"
 #include "scene/scenes.hpp"
 
 namespace bozzetto {

@@ -2,7 +2,6 @@
 // sculptor holds in the hand. Operations change the clay through an Edit and `keep` it.
 #pragma once
 #include <functional>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -67,19 +66,16 @@ class Workbench {
   void setSolid(SolidRef solid) { nextSolid_ = std::move(solid); }
   /// Puts a solid there without a step, before all others.
   void placeSolid(SolidRef solid);
-  /// Supports and a ledger likewise.
+  /// Supports, painted stiffness and a ledger likewise.
   void placeSupports(std::vector<clay::Support> supports);
+  void placeStiffness(clay::Stiffness stiffness);
   void placeLedger(const MassLedger& ledger);
 
   Hand hand;
   ToolLibrary tools;  ///< where names of tools lead; no step of history
   /// What strokes that move clay meet. Supports belong to the state they were set in: who goes back
-  /// there finds them again. Painted stiffness belongs to the step that changes it.
+  /// there finds them again, and the stiffness painted there.
   clay::Setup clay;
-  /// The painted stiffness of a document just opened: no step of history.
-  void placeStiffness(clay::Stiffness stiffness) {
-    clay.stiffness = stiffness_ = std::move(stiffness);
-  }
 
   /// The clay, for an Edit.
   Tree& tree() { return field_.tree; }
@@ -114,19 +110,18 @@ class Workbench {
   void enter(double change, const OperationReport& report);
   Beside besideNow();
   void takeBeside();
-  void rememberStiffness();
+  void takeStiffness(const BytesRef& bytes);
 
   Field<Side> field_;
   Surface<Side> surface_;
   SurfaceChanges changes_;
   History<Side> history_;
   SolidRef nextSolid_;
-  // Of supports and ledger, what the history was told last.
+  // Of supports, paint and ledger, what the history was told last.
   std::vector<clay::Support> toldSupports_;
-  BytesRef supportBytes_, ledgerBytes_;
+  clay::Stiffness toldStiffness_;
+  BytesRef supportBytes_, ledgerBytes_, stiffnessBytes_;
   MassLedger ledger_, toldLedger_;
-  std::map<StepNumber, clay::Stiffness> stiffnesses_;  // of states since opening
-  clay::Stiffness stiffness_;  // of the present state, whatever a stroke paints just now
   SurfaceUpkeep upkeep_;
   std::optional<std::vector<KeyRun>> waiting_;  // for the surface, while it is let wait
   bool followed_ = false;                       // the surface has followed the present edit
