@@ -1,5 +1,6 @@
 // What a press pushes out fades with the way from the tool: no ledge where the region ends in which
 // fluid clay gives way.
+#include <algorithm>
 #include <numbers>
 
 #include "bozzetto/field/sampler.hpp"
@@ -38,6 +39,21 @@ TEST(Press, SlowLeavesNoLedgeRoundTheBody) {
     }
     EXPECT_GT(rise(30), 0.7) << "it goes somewhere";
   }
+}
+
+// Where a wall lies on the region's border nothing is cut, and nothing stands still.
+TEST(Press, SlowLeavesNoBubblesBehindAWall) {
+  Clay clay;
+  addSolid(clay, Shape::box, {0, 0, 0}, {40, 14, 32});
+  holdBox(clay, {-50, -20, -40}, {50, -9, 40});
+  Push push{toolOf(Shape::ellipsoid, {9, 9, 9}), Role::push, {}, {}};
+  push.setup.settings.stiffness = 0;
+  push.stroke.points = {{{-26, 26, 0}, 1}, {{-26, 18, 0}, 1}, {{26, 18, 0}, 1}};
+  run(clay, push);
+  float least = 1;
+  for (int n = 0; n < 60 * 16 * 3; ++n)
+    least = std::min(least, clay.value({n / 48 - 30, n / 3 % 16 - 8, n % 3 - 31}));
+  EXPECT_GT(least, 0.9f);
 }
 
 }  // namespace
