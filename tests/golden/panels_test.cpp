@@ -241,14 +241,14 @@ TEST_F(Panels, dialogs) {
     writeFile(folder / name, Bytes(123456));
   }
   atelier_.settings.folder = folder.string();
-  for (const auto& [dialog, name] : std::initializer_list<std::pair<Dialog, const char*>>{
-           {Dialog::help, "help"},
-           {Dialog::unsaved, "unsaved"},
-           {Dialog::open, "open"},
-           {Dialog::saveAs, "save_as"},
-           {Dialog::import, "import"},
-           {Dialog::exportMesh, "export"},
-           {Dialog::turntable, "turntable"}}) {
+  for (const auto& [dialog, name] :
+       std::initializer_list<std::pair<Dialog, const char*>>{{Dialog::help, "help"},
+                                                             {Dialog::unsaved, "unsaved"},
+                                                             {Dialog::open, "open"},
+                                                             {Dialog::saveAs, "save_as"},
+                                                             {Dialog::import, "import"},
+                                                             {Dialog::exportMesh, "export"},
+                                                             {Dialog::turntable, "turntable"}}) {
     atelier_.dialog = dialog;
     expectAsItWas(std::string("dialog_") + name, What::window);
     atelier_.dialog = Dialog::none;
