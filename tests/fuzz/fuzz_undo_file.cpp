@@ -25,7 +25,7 @@ void readFile(std::span<const std::byte> bytes, const Clay& clay) {
     Clay changed = clay;
     file.unpack(clay.tree, direction).apply(changed.tree, direction);
     if (validate(changed)) std::abort();
-    file.solid(nullptr, direction);
+    file.beside({}, direction);
   }
 }
 
