@@ -65,7 +65,7 @@ inline ToolShape toolOf(Shape shape, glm::dvec3 radii) {
   return tool;
 }
 
-/// Runs it, commits, returns the number of steps.
-std::int64_t run(Clay& clay, const Push& push);
+/// Runs it, commits, returns the number of steps; the paint as it is then, where it is asked for.
+std::int64_t run(Clay& clay, const Push& push, Stiffness* moved = nullptr);
 
 }  // namespace bozzetto::clay::testing

@@ -123,13 +123,8 @@ Stiffness carriedBall(int threads, bool fluid) {
   if (fluid) push.setup.settings.stiffness = 0;
   push.setup.stiffness = stiffnessOf(painted);
   push.stroke.points = {{{0, 4, 0}, 1}, {{14, 4, 0}, 1}};
-  Edit<CornerBlock<8>> edit(clay.tree);
-  ClayStroke<8> stroke(edit, clay.scale, push.tool, {push.role, 0.5}, push.stroke, push.setup);
-  for (std::int64_t n = 0; n < stroke.stepCount(); ++n) stroke.step(n);
-  stroke.finish();
-  stroke.store();
-  edit.commit();
-  const Stiffness moved = stroke.stiffness();
+  Stiffness moved;
+  run(clay, push, &moved);
   for (const auto& [key, run] : moved.painted->tree)
     for (std::int32_t n = 0; n < 512 * run.length; ++n) {
       const Key corner = key * 8 + Key{n / 64 % 8, n / 8 % 8, n % 8 + n / 512 * 8};

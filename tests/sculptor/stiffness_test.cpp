@@ -111,19 +111,24 @@ TEST(PaintedStiffness, GoesToOtherGrids) {
   EXPECT_NEAR(coarse.stiffness.at({3, 0, 0}), -1, 0.1);
 }
 
+class KeptStiffness : public ::testing::Test {
+ protected:
+  KeptStiffness() { ::setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1); }
+
+  const testing::Folder folder_;
+  const std::filesystem::path path_ = folder_ / "soft.bzt";
+};
+
 // Also the first stroke on clay that has no steps, and strokes of before a crash.
-TEST(PaintedStiffness, IsUndoneWheneverItWasPainted) {
-  const testing::Folder folder;
-  ::setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);
-  const std::filesystem::path path = folder / "soft.bzt";
+TEST_F(KeptStiffness, IsUndoneWheneverItWasPainted) {
   {
-    Session session = Session::create(path);
+    Session session = Session::create(path_);
     begin(session.sculptor());
     session.save();
   }
-  std::filesystem::remove_all(historyFolderOf(path));
+  std::filesystem::remove_all(historyFolderOf(path_));
   {
-    Session session = Session::open(path);
+    Session session = Session::open(path_);
     ASSERT_EQ(session.sculptor().history().undoDepth(), 0u);
     session.sculptor().apply(operation(kTool));
     paint(session.sculptor(), "soften", 1);
@@ -133,7 +138,7 @@ TEST(PaintedStiffness, IsUndoneWheneverItWasPainted) {
     EXPECT_TRUE(session.saved());
     session.sculptor().apply(RedoOperation{});
   }
-  Session crashed = Session::open(path);
+  Session crashed = Session::open(path_);
   EXPECT_EQ(at(crashed.sculptor().clay(), {7, 0, 0}), -1);
   crashed.sculptor().apply(operation(kTool));
   paint(crashed.sculptor(), "stiffen", 0.5);
@@ -145,22 +150,19 @@ TEST(PaintedStiffness, IsUndoneWheneverItWasPainted) {
   EXPECT_TRUE(crashed.saved());
 }
 
-TEST(PaintedStiffness, BelongsToTheDocument) {
-  const testing::Folder folder;
-  ::setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);
-  const std::filesystem::path path = folder / "soft.bzt";
+TEST_F(KeptStiffness, BelongsToTheDocument) {
   {
-    Session session = Session::create(path);
+    Session session = Session::create(path_);
     begin(session.sculptor());
     session.save();
     paint(session.sculptor(), "soften", 1);
     EXPECT_FALSE(session.saved());
   }
-  Session crashed = Session::open(path);
+  Session crashed = Session::open(path_);
   EXPECT_EQ(at(crashed.sculptor().clay(), {7, 0, 0}), -1) << "kept between saves";
   crashed.save();
   EXPECT_TRUE(crashed.saved());
-  EXPECT_EQ(loadScene(path).parts.stiffness.at({7, 0, 0}), -1);
+  EXPECT_EQ(loadScene(path_).parts.stiffness.at({7, 0, 0}), -1);
 }
 
 }  // namespace
