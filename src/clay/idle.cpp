@@ -1,15 +1,8 @@
 #include "bozzetto/clay/idle.hpp"
 
-#include <algorithm>
+#include "clay/layer.hpp"
 
 namespace bozzetto::clay {
-namespace {
-
-bool runs(const Settings& settings, LayerKind layer) {
-  return std::find(settings.layers.begin(), settings.layers.end(), layer) != settings.layers.end();
-}
-
-}  // namespace
 
 std::string idleIn(const Stroke& stroke, Role role, const Settings& settings) {
   const Placement& how = stroke.placement;

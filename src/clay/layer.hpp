@@ -1,6 +1,7 @@
 // A layer edits the densities of a region once a step. Layers know nothing of each other; what they
 // share is the region, so they may run in any order and combination (Dewaele §2.2).
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <memory>
 
@@ -8,6 +9,10 @@
 #include "clay/placed_tool.hpp"
 
 namespace bozzetto::clay {
+
+inline bool runs(const Settings& settings, LayerKind layer) {
+  return std::ranges::find(settings.layers, layer) != settings.layers.end();
+}
 
 /// All a layer may look at.
 struct Work {
@@ -23,11 +28,7 @@ struct Work {
   /// What layers keep between cells of the region is theirs to find again.
   std::function<bool(const KeyBox&)> widen{};
 
-  bool has(LayerKind layer) const {
-    for (const LayerKind each : settings.layers)
-      if (each == layer) return true;
-    return false;
-  }
+  bool has(LayerKind layer) const { return runs(settings, layer); }
   bool grips() const {
     for (const PlacedTool& tool : moving)
       if (tool.role == Role::grip) return true;

@@ -125,10 +125,7 @@ struct ClayStroke<Side>::State {
         paint(setup_.stiffness),
         stiffest(followingAt(static_cast<float>(setup.settings.stiffness), paint.most())) {}
 
-  bool runs(LayerKind kind) const {
-    const auto& layers = setup.settings.layers;
-    return std::find(layers.begin(), layers.end(), kind) != layers.end();
-  }
+  bool runs(LayerKind kind) const { return clay::runs(setup.settings, kind); }
 
   // Nothing happens far from the tool.
   bool fluid() const {
