@@ -6,6 +6,10 @@
 namespace bozzetto::clay {
 namespace {
 
+// In mark2: a cell of a block that gave; the first cell of a tile with such cells, and of one that
+// is listed already.
+enum Mark : std::uint8_t { kMoved = 1, kTileMoved = 2, kTileListed = 4 };
+
 float floored(float x) { return std::floor(x / kQuantum) * kQuantum; }
 
 // The axis and sign of a push, as one of the six neighbours; 6 where nothing moves.
@@ -15,6 +19,23 @@ int directionOf(const glm::dvec3& motion) {
     if (std::abs(motion[n]) > std::abs(motion[axis])) axis = n;
   if (motion[axis] == 0) return 6;
   return 2 * axis + (motion[axis] < 0 ? 1 : 0);
+}
+
+// Of eight cells.
+bool anyAbove(const float* value, const float* cover, float threshold) {
+  int above = 0;
+  for (int n = 0; n < Region::kTile; ++n) above += value[n] > threshold * (1 - cover[n]) ? 1 : 0;
+  return above > 0;
+}
+
+// Partly full, or beside a cell that is.
+bool isOnSurface(const Region& region, std::size_t cell) {
+  const auto partly = [&](std::size_t at) {
+    return region.value[at] < 0.98f * (1 - region.cover[at]) && region.cover[at] <= 0.5f;
+  };
+  for (const std::ptrdiff_t step : region.neighbours())
+    if (partly(cell + step)) return true;
+  return partly(cell);
 }
 
 // Two tiles more on every side: whose blocks matter can reach.
@@ -88,37 +109,84 @@ bool Automaton::sweepTile(Work& work, Key tile, int parity) {
   Region& region = work.region;
   const Sharing sharing{static_cast<float>(work.settings.rate), work.settings.sharing};
   const auto threshold = static_cast<float>(work.settings.threshold);
+  const auto& step = region.strides();
+  const std::size_t base = region.index(tile + Key{parity, parity, parity});
   bool given = false;
   for (int n = 0; n < 64; ++n) {
-    const Key low = tile + Key{n / 16 * 2 + parity, n / 4 % 4 * 2 + parity, n % 4 * 2 + parity};
-    const std::size_t first = region.index(low);
+    const std::size_t first = base + 2 * (n / 16 * step[0] + n / 4 % 4 * step[1] + n % 4);
     std::array<std::size_t, 8> cells;
-    float most = 0;
-    for (std::size_t c = 0; c < 8; ++c) {
-      cells[c] =
-          first + (c >> 2) * region.strides()[0] + (c >> 1 & 1) * region.strides()[1] + (c & 1);
-      most = std::max(most, region.value[cells[c]]);
-    }
-    if (most <= 0) continue;
     std::array<float, 8> limit, full;
+    bool above = false;
+    for (std::size_t c = 0; c < 8; ++c) {
+      cells[c] = first + (c >> 2) * step[0] + (c >> 1 & 1) * step[1] + (c & 1);
+      full[c] = 1 - region.cover[cells[c]];
+      above |= region.value[cells[c]] > threshold * full[c];
+    }
+    if (!above) continue;
     for (std::size_t c = 0; c < 8; ++c) {
       const std::size_t cell = cells[c];
-      full[c] = 1 - region.cover[cell];
       const bool obstacle = region.hold[cell] == kFixed || region.cover[cell] > 0.5f;
       limit[c] = obstacle ? -1.0f : threshold * full[c];
     }
-    given = shareBlock(region, cells, limit, full, sharing) || given;
+    if (!shareBlock(region, cells, limit, full, sharing)) continue;
+    given = true;
+    for (const std::size_t cell : cells) region.mark2[cell] |= kMoved;
   }
   return given;
+}
+
+template <class Callback>
+void Automaton::forMoved(const Region& region, const Callback& callback) const {
+  for (const std::uint32_t first : given_)
+    for (int n = 0; n < 64; ++n) {
+      const std::size_t row = first + n / 8 * region.strides()[0] + n % 8 * region.strides()[1];
+      for (std::size_t cell = row; cell < row + 8; ++cell)
+        if ((region.mark2[cell] & kMoved) != 0) callback(cell);
+    }
+}
+
+// Cells of blocks that gave, if they are of the surface.
+void Automaton::listMoved(Region& region) {
+  forMoved(region, [&](std::size_t cell) {
+    if (isOnSurface(region, cell)) moved_.push_back(static_cast<std::uint32_t>(cell));
+  });
+  for (const std::uint32_t first : given_)
+    for (int n = 0; n < 64; ++n)
+      std::fill_n(&region.mark2[first + n / 8 * region.strides()[0] + n % 8 * region.strides()[1]],
+                  Region::kTile, std::uint8_t{0});
+  given_.clear();
 }
 
 // Tiles with cells above their limits, and their neighbours: blocks reach over borders. Until these
 // are looked for again matter goes no further than a tile.
 void Automaton::findHot(Work& work) {
   listHot(work);
-  while (!tiles_.empty() && work.widen && work.widen(around(tiles_))) listHot(work);
+  while (widen(work)) listHot(work);
   hot_.assign(tiles_.size(), 1);
   spreadHeat(work.region);
+}
+
+// What was noted in the old region is noted in the new one.
+bool Automaton::widen(Work& work) {
+  if (tiles_.empty() || !work.widen) return false;
+  const KeyBox wanted = around(tiles_), inner = work.region.inner();
+  if (inner.contains(wanted.low) && inner.contains(wanted.high)) return false;
+  std::vector<Key> moved;
+  forMoved(work.region, [&](std::size_t cell) { moved.push_back(work.region.key(cell)); });
+  if (!work.widen(wanted)) return false;
+  given_.clear();
+  for (const Key key : moved) {
+    work.region.mark2[work.region.index(key)] |= kMoved;
+    note(work.region, tileBox({key, key}, 0).low);
+  }
+  return true;
+}
+
+void Automaton::note(Region& region, Key tile) {
+  const std::size_t first = region.index(tile);
+  if ((region.mark2[first] & kTileMoved) != 0) return;
+  region.mark2[first] |= kTileMoved;
+  given_.push_back(static_cast<std::uint32_t>(first));
 }
 
 void Automaton::listHot(Work& work) {
@@ -126,23 +194,25 @@ void Automaton::listHot(Work& work) {
   const auto threshold = static_cast<float>(work.settings.threshold);
   tiles_.clear();
   for (const Row& row : region.rows())
-    for (std::int32_t k = 0; k < row.count; ++k) {
-      const std::size_t cell = row.base + k;
-      if (region.value[cell] <= threshold * (1 - region.cover[cell])) continue;
-      const Key tile = Key{row.i & ~7, row.j & ~7, (row.k + k) & ~7} + region.box().low;
+    for (std::int32_t k = 0; k < row.count; k += Region::kTile) {
+      if (!anyAbove(&region.value[row.base + k], &region.cover[row.base + k], threshold)) continue;
+      const Key tile = Key{row.i & ~7, row.j & ~7, row.k + k} + region.box().low;
       if (tiles_.empty() || tiles_.back() != tile) tiles_.push_back(tile);
     }
 }
 
-void Automaton::spreadHeat(const Region& region) {
+void Automaton::spreadHeat(Region& region) {
   std::vector<Key> next;
   for (std::size_t n = 0; n < tiles_.size(); ++n)
     for (int d = 0; hot_[n] != 0 && d < 27; ++d) {
       const Key tile = tiles_[n] + Key{d / 9 - 1, d / 3 % 3 - 1, d % 3 - 1} * Region::kTile;
-      if (!region.inRim(tile)) next.push_back(tile);
+      if (region.inRim(tile)) continue;
+      std::uint8_t& mark = region.mark2[region.index(tile)];
+      if ((mark & kTileListed) != 0) continue;
+      mark |= kTileListed;
+      next.push_back(tile);
     }
-  std::sort(next.begin(), next.end());
-  next.erase(std::unique(next.begin(), next.end()), next.end());
+  for (const Key tile : next) region.mark2[region.index(tile)] &= kMoved | kTileMoved;
   tiles_.swap(next);
 }
 
@@ -156,9 +226,11 @@ bool Automaton::sweep(Work& work, int parity) {
     if (hot_[n] == 0) continue;
     any = true;
     // Odd blocks reach into the next tiles.
-    for (int c = 0; c < 8; ++c)
-      work.region.touch(
-          work.region.index(tiles_[n] + Key{c >> 2, c >> 1 & 1, c & 1} * (Region::kTile * parity)));
+    for (int c = 0; c < (parity == 0 ? 1 : 8); ++c) {
+      const Key tile = tiles_[n] + Key{c >> 2, c >> 1 & 1, c & 1} * Region::kTile;
+      note(work.region, tile);
+      work.region.touch(work.region.index(tile));
+    }
   }
   return any;
 }
@@ -176,6 +248,8 @@ void Automaton::run(Work& work) {
     quiet = given ? 0 : quiet + 1;
     if (given && n % 8 == 7) findHot(work);
   }
+  listMoved(work.region);
+  fairing_.run(work, moved_);
 }
 
 }  // namespace bozzetto::clay

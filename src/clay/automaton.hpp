@@ -1,6 +1,7 @@
 // Takai's layer: blocks of 2×2×2 cells, at even keys and odd ones in turn (Margolus), in which
 // cells that hold too much give to those that do not.
 #pragma once
+#include "clay/fairing.hpp"
 #include "clay/layer.hpp"
 #include "clay/pulling.hpp"
 #include "clay/swelling.hpp"
@@ -28,12 +29,21 @@ class Automaton final : public Layer {
   void listHot(Work& work);
   bool sweep(Work& work, int parity);
   bool sweepTile(Work& work, Key tile, int parity);
-  void spreadHeat(const Region& region);
+  void spreadHeat(Region& region);
 
   Pulling pulling_;
+  bool widen(Work& work);
+  void note(Region& region, Key tile);
+  template <class Callback>
+  void forMoved(const Region& region, const Callback& callback) const;
+  void listMoved(Region& region);
+
   Swelling swelling_;
-  std::vector<Key> tiles_;         // to be visited
-  std::vector<std::uint8_t> hot_;  // of these: had something to give
+  Fairing fairing_;
+  MovedCells moved_;
+  std::vector<Key> tiles_;            // to be visited
+  std::vector<std::uint32_t> given_;  // first cells of tiles where matter moved in this step
+  std::vector<std::uint8_t> hot_;     // of these: had something to give
 };
 
 }  // namespace bozzetto::clay

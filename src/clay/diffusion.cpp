@@ -79,6 +79,7 @@ void Diffusion::prepareStencil(const Region& region, const Settings& settings) {
 void Diffusion::leave(Region& region, const Walk& walk, float& amount) {
   const float given = std::min(amount, floored(roomAt(region, walk.at)));
   region.carry(walk.from, walk.at, given);
+  moved_.push_back(static_cast<std::uint32_t>(walk.at));
   region.touch(walk.at);
   amount -= given;
 }
@@ -102,6 +103,7 @@ void Diffusion::spread(Region& region, const Walk& walk, float& amount) {
       const float wanted = std::max(kQuantum, floored(whole * each.weight / sum));
       const float given = std::min({amount, wanted, floored(roomAt(region, each.step))});
       region.carry(walk.from, each.step, given);
+      moved_.push_back(static_cast<std::uint32_t>(each.step));
       region.touch(each.step);
       amount -= given;
     }
@@ -162,6 +164,7 @@ void Diffusion::run(Work& work) {
   std::sort(overlapped_.begin(), overlapped_.end());
   overlapped_.erase(std::unique(overlapped_.begin(), overlapped_.end()), overlapped_.end());
   for (const std::uint32_t cell : overlapped_) push(work, cell);
+  fairing_.run(work, moved_);
 }
 
 }  // namespace bozzetto::clay

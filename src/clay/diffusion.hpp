@@ -1,6 +1,7 @@
 // Raffin's layer: matter that a tool overlaps walks along the axes of the tool's normal to the
 // nearest room, the exit, and may be spread round it.
 #pragma once
+#include "clay/fairing.hpp"
 #include "clay/layer.hpp"
 
 namespace bozzetto::clay {
@@ -33,6 +34,8 @@ class Diffusion final : public Layer {
   void leave(Region& region, const Walk& walk, float& amount);
   void spread(Region& region, const Walk& walk, float& amount);
 
+  Fairing fairing_;
+  MovedCells moved_;
   std::vector<std::uint32_t> overlapped_;
   std::vector<Neighbour> stencil_, open_;
 };

@@ -14,6 +14,12 @@ inline bool runs(const Settings& settings, LayerKind layer) {
   return std::ranges::find(settings.layers, layer) != settings.layers.end();
 }
 
+/// Matter walks out at once, and nobody asks what moves together.
+inline bool onlyWalks(const Settings& settings) {
+  return std::ranges::all_of(settings.layers,
+                             [](LayerKind layer) { return layer == LayerKind::diffusion; });
+}
+
 /// All a layer may look at.
 struct Work {
   Region& region;

@@ -70,7 +70,7 @@ std::unique_ptr<Layer> makeLayer(LayerKind kind, Scheme scheme) {
   return nullptr;
 }
 
-Stepper::Stepper(const Settings& settings) {
+Stepper::Stepper(const Settings& settings) : banded_(!onlyWalks(settings)) {
   for (const LayerKind kind : settings.layers) layers_.push_back(makeLayer(kind, settings.scheme));
 }
 
@@ -87,7 +87,7 @@ void Stepper::finish(Work& work) {
 
 void Stepper::paint(Region& region, const std::vector<PlacedTool>& moving) {
   painter_.paintMoving(region, moving);
-  region.listBand();
+  if (banded_) region.listBand();
 }
 
 void Stepper::step(Work& work) {

@@ -19,6 +19,7 @@ class Stepper {
  private:
   std::vector<std::unique_ptr<Layer>> layers_;
   CoverPainter painter_;
+  bool banded_;  // some layer asks for the band
 };
 
 }  // namespace bozzetto::clay

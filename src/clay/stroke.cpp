@@ -19,6 +19,7 @@ namespace bozzetto::clay {
 namespace {
 
 constexpr double kStepCells = 0.5;       // clay.md §3.0
+constexpr double kWalkingStep = 1;       // of tools whose matter walks out at once (Raffin)
 constexpr double kFluid = 0.1;           // less stiffness than this leads nobody far
 constexpr std::size_t kMostImages = 64;  // tools that move at once
 constexpr double kFluidReach = 1.5;      // × radius
@@ -126,6 +127,7 @@ struct ClayStroke<Side>::State {
         stiffest(followingAt(static_cast<float>(setup.settings.stiffness), paint.most())) {}
 
   bool runs(LayerKind kind) const { return clay::runs(setup.settings, kind); }
+  double stepCells() const { return onlyWalks(setup.settings) ? kWalkingStep : kStepCells; }
 
   // Nothing happens far from the tool.
   bool fluid() const {
@@ -262,7 +264,8 @@ struct ClayStroke<Side>::State {
     Region next(box);
     clay::load<Side>(next, *edit);
     paint.load<Side>(next, *edit);
-    if (!whole && next.clayInRim) fadeTowardsRim(next, kFadeReach * radius());
+    if (!whole && next.clayInRim && !onlyWalks(setup.settings))
+      fadeTowardsRim(next, kFadeReach * radius());
     stepper.begin(next, supports);
     if (region) keepWork(*region, next);
     region.emplace(std::move(next));
@@ -342,7 +345,7 @@ ClayStroke<Side>::ClayStroke(Edit<CornerBlock<Side>>& edit, const FieldScale& sc
   for (std::size_t n = 0; n < stroke.points.size(); ++n)
     poses.push_back(state_->poseOf(
         stroke.points[n], stroke.rotations.empty() ? glm::dquat(1, 0, 0, 0) : stroke.rotations[n]));
-  state_->path.emplace(poses, glm::length(state_->tool.radii), kStepCells);
+  state_->path.emplace(poses, glm::length(state_->tool.radii), state_->stepCells());
   state_->requireCount(*state_->path);
 }
 
