@@ -1,5 +1,6 @@
 #include "bozzetto/clay/stiffness.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bozzetto/base/error.hpp"
@@ -34,6 +35,24 @@ void keepOnClay(Edit<CornerBlock<8>>& painted, Key block, BlockCache<CornerBlock
   target.updateRange();
 }
 
+// Until the first block that differs; what both share is not read.
+bool sameContent(const KeyTree<CornerBlock<8>>& a, const KeyTree<CornerBlock<8>>& b) {
+  auto one = a.begin(), other = b.begin();
+  std::int32_t into = 0, intoOther = 0;  // their runs
+  while (one != a.end() && other != b.end()) {
+    const auto& [key, run] = *one;
+    const auto& [otherKey, otherRun] = *other;
+    if (key + Key{0, 0, into} != otherKey + Key{0, 0, intoOther}) return false;
+    if (!(run.block == otherRun.block) && !run.block->sameAs(*otherRun.block)) return false;
+    const std::int32_t both = std::min(run.length - into, otherRun.length - intoOther);
+    into += both;
+    intoOther += both;
+    if (into == run.length) ++one, into = 0;
+    if (intoOther == otherRun.length) ++other, intoOther = 0;
+  }
+  return one == a.end() && other == b.end();
+}
+
 }  // namespace
 
 double Stiffness::at(Key corner) const {
@@ -45,7 +64,7 @@ bool operator==(const Stiffness& a, const Stiffness& b) {
   if (a.painted == b.painted) return true;
   if (a.any() != b.any()) return false;
   return !a.any() ||
-         (a.painted->scale == b.painted->scale && fieldHash(*a.painted) == fieldHash(*b.painted));
+         (a.painted->scale == b.painted->scale && sameContent(a.painted->tree, b.painted->tree));
 }
 
 Stiffness stiffnessOf(Clay painted) {

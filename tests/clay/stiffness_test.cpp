@@ -75,6 +75,29 @@ TEST(PaintedStiffness, OffsetsAreWhatTheStiffnessBecomes) {
 
 // Its soft third costs tools' leads eight times as much as the stiff ones (√4 against 1/4 of what
 // bare clay costs): the lead is 0.1 and 0.9 at its ends, eased 0.028 and 0.972.
+// Of the same content, however the trees are made; anything else differs.
+TEST(PaintedStiffness, IsComparedByContent) {
+  const auto painted = [](const KeyBox& box, double offset) {
+    Clay clay;
+    paint(clay, box, offset);
+    return clay;
+  };
+  const KeyBox blocks{{0, 0, 0}, {15, 7, 31}};
+  const Stiffness one = stiffnessOf(painted(blocks, 1));
+  EXPECT_EQ(one, stiffnessOf(painted(blocks, 1)));
+  Clay split = *one.painted;
+  const Ref<CornerBlock<8>> solid(split.tree.find({0, 0, 2}));
+  split.tree.put({0, 0, 2}, solid);
+  split.tree.put({1, 0, 0}, 4, solid);
+  EXPECT_EQ(one, stiffnessOf(split));
+  EXPECT_EQ(stiffnessOf(split), one);
+  for (const Clay& other : {painted(blocks, 0.5), painted({{0, 0, 0}, {15, 7, 23}}, 1),
+                            painted({{0, 0, 0}, {15, 7, 32}}, 1), Clay{}}) {
+    EXPECT_FALSE(one == stiffnessOf(other));
+    EXPECT_FALSE(stiffnessOf(other) == one);
+  }
+}
+
 TEST(PaintedStiffness, SlowABarSoftInTheMiddleBendsInTheMiddle) {
   Clay even = bar(), soft = bar();
   const double mass = statistics(even).mass;
