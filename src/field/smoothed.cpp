@@ -90,43 +90,60 @@ Ref<Block> smoothedBlock(const Neighbourhood& around) {
   return Block::canonical(std::move(block));
 }
 
-// Blocks that are stored, and those beside them.
-std::vector<Key> blocksOf(const Clay& field) {
+// These blocks and those beside them, each once.
+std::vector<Key> around(std::vector<KeyRun> runs) {
+  const std::size_t count = runs.size();
+  runs.reserve(count * 9);
+  for (std::size_t n = 0; n < count; ++n)
+    for (std::int32_t m = 0; m < 9; ++m)
+      runs.push_back({runs[n].key + Key{m / 3 - 1, m % 3 - 1, -1}, runs[n].length + 2});
   std::vector<Key> keys;
-  BlockCache<Block> cache(field.tree);
-  for (const auto& [first, run] : field.tree)
-    for (std::int32_t k = 0; k < run.length; ++k)
-      for (std::int32_t n = 0; n < 27; ++n) {
-        const Key key = first + Key{n / 9 - 1, n / 3 % 3 - 1, k + n % 3 - 1};
-        if (n == 13 || cache.find(key) == nullptr) keys.push_back(key);
-      }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  for (const KeyRun& run : withoutOverlaps(std::move(runs)))
+    for (std::int32_t k = 0; k < run.length; ++k) keys.push_back(run.key + Key{0, 0, k});
   return keys;
+}
+
+// What the copy is to have there, null for nothing. Among its like a block is shared.
+std::vector<Ref<Block>> smoothedAt(const Clay& field, const std::vector<Key>& keys) {
+  std::vector<Ref<Block>> made(keys.size());
+  parallelFor(keys.size(), 16, [&](std::size_t begin, std::size_t end) {
+    BlockCache<Block> cache(field.tree);
+    for (std::size_t n = begin; n < end; ++n) {
+      const Neighbourhood near(cache, keys[n]);
+      made[n] = near.allOne() ? Ref<Block>(field.tree.find(keys[n])) : smoothedBlock(near);
+    }
+  });
+  return made;
+}
+
+bool areSame(const Block* a, const Block* b) {
+  return a == b || (a != nullptr && b != nullptr && a->sameAs(*b));
 }
 
 }  // namespace
 
-Clay smoothed(const Clay& field) {
-  const std::vector<Key> keys = blocksOf(field);
-  std::vector<Ref<Block>> made(keys.size());
-  std::vector<std::uint8_t> kept(keys.size(), 0);
-  parallelFor(keys.size(), 16, [&](std::size_t begin, std::size_t end) {
-    BlockCache<Block> cache(field.tree);
-    for (std::size_t n = begin; n < end; ++n) {
-      const Neighbourhood around(cache, keys[n]);
-      kept[n] = around.allOne() ? 1 : 0;
-      if (kept[n] == 0) made[n] = smoothedBlock(around);
-    }
-  });
-  Clay result = field;
+std::vector<KeyRun> refreshSmoothed(Clay& copy, const Clay& field,
+                                    std::span<const KeyRun> changed) {
+  copy.scale = field.scale;
+  const std::vector<Key> keys = around({changed.begin(), changed.end()});
+  std::vector<Ref<Block>> made = smoothedAt(field, keys);
+  std::vector<KeyRun> altered;
   for (std::size_t n = 0; n < keys.size(); ++n) {
-    if (kept[n] != 0) continue;
+    if (areSame(made[n].get(), copy.tree.find(keys[n]))) continue;
+    altered.push_back({keys[n], 1});
     if (made[n])
-      result.tree.put(keys[n], std::move(made[n]));
+      copy.tree.put(keys[n], std::move(made[n]));
     else
-      result.tree.erase(keys[n]);
+      copy.tree.erase(keys[n]);
   }
+  return altered;
+}
+
+Clay smoothed(const Clay& field) {
+  std::vector<KeyRun> stored;
+  for (const auto& [first, run] : field.tree) stored.push_back({first, run.length});
+  Clay result = field;
+  refreshSmoothed(result, field, stored);
   return result;
 }
 

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <set>
 
+#include "bozzetto/field/difference.hpp"
 #include "field/test_fields.hpp"
 
 namespace bozzetto {
@@ -50,6 +53,37 @@ TEST(Smoothed, KeepsMassAndSharesTheInside) {
 }
 
 TEST(Smoothed, NothingStaysNothing) { EXPECT_TRUE(smoothed(Clay{}).tree.empty()); }
+
+// Changes as strokes make them: it follows them, and tells no more than what they did to it.
+TEST(Smoothed, FollowsChanges) {
+  Clay field = testing::ball<8>(30, {3, 1, -7}, {10, 200, 77});
+  Clay copy = smoothed(field);
+  std::mt19937 chance(7);
+  for (int n = 0; n < 12; ++n) {
+    const Clay before = field, copyBefore = copy;
+    Edit<CornerBlock<8>> edit(field.tree);
+    const auto some = [&] { return std::int32_t(chance() % 80) - 40; };
+    const Key low{some(), some(), some()};
+    for (std::int32_t m = 0; m < 20 * 20 * 20; ++m) {
+      const Key key = low + Key{m / 400, m / 20 % 20, m % 20};
+      auto& block = edit.write(BlockGeometry<8>::blockOf(key));
+      block.value[BlockGeometry<8>::indexOf(key)] = float(n % 3) / 2;
+      block.attributes[BlockGeometry<8>::indexOf(key)] = packAttributes({9, 9, 9});
+      block.updateRange();
+    }
+    edit.commit();
+    const auto changed = differingBlocks(before, field);
+    const auto altered = refreshSmoothed(copy, field, changed);
+    EXPECT_EQ(validate(copy), std::nullopt);
+    EXPECT_EQ(fieldHash(copy), fieldHash(smoothed(field)));
+    std::set<Key> told;
+    for (const KeyRun& run : altered) told.insert(run.key);
+    for (const KeyRun& run : differingBlocks(copyBefore, copy))
+      for (std::int32_t k = 0; k < run.length; ++k)
+        EXPECT_TRUE(told.contains(run.key + Key{0, 0, k}));
+    EXPECT_LE(told.size(), 5u * 5 * 5) << "4 blocks a side at most, and what they reach";
+  }
+}
 
 // A slope of 1 in 12 with edges of one cell, as moved clay has them: how far its surface is from
 // the plane, at worst.
