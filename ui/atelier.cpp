@@ -95,6 +95,7 @@ Publication Atelier::poll() {
     if (gesture_ != Gesture::solid) hoverSolid();
   }
   watchLights();
+  tellSmoothing();
   feel(fresh);
   if (fresh.shelf) shelf.cards = *fresh.shelf;
   if (fresh.taken) sculpt.take(*fresh.taken, status_.scale.spacing);
@@ -164,6 +165,7 @@ void Atelier::opened(OpenedDocument document) {
   setMode(WorkMode::clay);
   wantPictures();
   if (shelf.open) listShelf();
+  if (sculpt.isFreeform()) lookForTool();
   airPoint_.reset();
   heldTool_.reset();
   views_ = {};

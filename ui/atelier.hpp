@@ -195,10 +195,14 @@ class Atelier {
   /// document.
   void keepClay(const std::string& name, std::vector<std::string> tags, ShelfDrawer::Part part,
                 std::optional<PatchSource> patch = {});
+  /// What `keepClay` is to keep next: shows the box, or draws a lasso where there is none.
+  void choosePart(ShelfDrawer::Part part);
   /// The sculpture in the hand with the pivot and contact it has there.
   void keepStand();
   /// A tool's file, a scene, a recording, a mesh or a grey picture.
   void keepFile(const std::filesystem::path& path);
+  /// The same, and into the hand.
+  void takeFile(const std::filesystem::path& path);
   /// The same kinds of files as volumes, where they stand in their own world.
   void combineFile(const std::filesystem::path& path, Combining how);
   void keepLetters(const std::string& text, double size, double depth);
@@ -306,8 +310,10 @@ class Atelier {
   void bring(const std::string& title, ClayWorker::Work work, std::function<void()> then = {});
   void decide(const std::function<void()>& next);
   void wantPictures();
+  void lookForTool();
   void standBehind(ReferencePicture& picture) const;
   void dropDocument(const std::filesystem::path& path);
+  void dropScene(const std::filesystem::path& path);
   void beginStroke(double pressure);
   void continueStroke(double pressure);
   void flushStroke();
@@ -343,6 +349,7 @@ class Atelier {
   void startNew(NewClay kind, const std::filesystem::path& path = {});
   void takeHold(Moves what);
   void keepSettings();
+  void tellSmoothing();
   bool runFile(Command command);
   bool runStroke(Command command);
   void runView(Command command);
@@ -485,7 +492,8 @@ class Atelier {
     clay::Support before, now;
   };
   std::optional<MovedSupport> movedSupport_;
-  std::string toldClay_;  // how clay gives way, as the desk was told last
+  bool toldSmoothed_ = false;  // to the worker
+  std::string toldClay_;       // how clay gives way, as the desk was told last
   ClayWorker worker_;
 };
 

@@ -5,11 +5,15 @@
 #include "bozzetto/io/mesh_file.hpp"
 #include "bozzetto/render/picture.hpp"
 #include "bozzetto/render/png.hpp"
+#include "bozzetto/scene/scene_file.hpp"
 #include "ui/atelier.hpp"
 #include "ui/kept_look.hpp"
 
 namespace bozzetto::ui {
 namespace {
+
+// What a scene says that was kept as a tool (src/sculptor/NOTES.md).
+constexpr const char* kToolSetting = "tool";
 
 namespace fs = std::filesystem;
 
@@ -175,6 +179,14 @@ void Atelier::showStructure(Structure structure) {
   worker_.post([structure](ClayDesk& desk) { desk.setStructure(structure); });
 }
 
+// A panel or another scene's look may have changed it.
+void Atelier::tellSmoothing() {
+  if (toldSmoothed_ == options.smoothed || gesture_ != Gesture::none) return;
+  toldSmoothed_ = options.smoothed;
+  const auto smoothing = options.smoothed ? Smoothing::shown : Smoothing::none;
+  worker_.post([smoothing](ClayDesk& desk) { desk.setSmoothing(smoothing); });
+}
+
 // The view as it is, without panels. Drawn by a thread and a context of its own.
 void Atelier::takePicture(const PictureWish& wish) {
   dialog = Dialog::none;
@@ -189,8 +201,7 @@ void Atelier::takePicture(const PictureWish& wish) {
   how.camera = cameraOf(view, status_.scale.spacing);
   // Of the clay as it is now; work goes on meanwhile.
   const auto prepare = [wish, how](ClayDesk& desk) -> ClayWorker::Beside {
-    const Sculptor& now = desk.sculptor();
-    return [wish, how, surface = now.surface(), clay = now.field()](Progress& progress) {
+    return [wish, how, surface = desk.shownSurface(), clay = desk.shownClay()](Progress& progress) {
       draw(wish, how, surface, clay, progress);
     };
   };
@@ -264,10 +275,24 @@ void Atelier::drop(const std::vector<std::string>& paths) {
     say(Message::Kind::note, "One at a time: took " + documents.front().filename().string());
 }
 
+// One that was kept as a tool is meant to be used.
+void Atelier::dropScene(const fs::path& path) {
+  const auto tool = std::make_shared<bool>(false);
+  begin(
+      "Looking at " + path.filename().string(),
+      [path, tool](ClayDesk&, Progress& progress) {
+        *tool = loadScene(path, progress).parts.settings.contains(kToolSetting);
+      },
+      [this, path, tool] {
+        if (*tool) return takeFile(path);
+        ifSaved([this, path] { openScene(path); });
+      });
+}
+
 // What cannot be opened asks nothing.
 void Atelier::dropDocument(const fs::path& path) {
   const std::string kind = lower(path.extension().string());
-  if (kind == ".bzt") return ifSaved([this, path] { openScene(path); });
+  if (kind == ".bzt") return dropScene(path);
   if (kind == ".jsonl") return replay(path);
   try {
     meshFormatOf(path);

@@ -53,10 +53,11 @@ void Atelier::drawLasso(glm::dvec2 to) {
   if (glm::distance(to, lassoPixels_.back()) >= kLassoStep * scale_) lassoPixels_.push_back(to);
 }
 
-// A slip of the hand is no part.
+// A slip of the hand is no part, and the lasso still to be drawn.
 void Atelier::endLasso() {
   const auto pixels = std::exchange(lassoPixels_, {});
-  if (pixels.size() < 4) return;
+  lassoNext_ = pixels.size() < 4;
+  if (lassoNext_) return;
   const bool parallel = view.projection == Projection::orthographic;
   Lasso drawn;
   drawn.rays = parallel ? LassoRays::parallel : LassoRays::fromEye;
@@ -106,7 +107,9 @@ void Atelier::takePart(Command how) {
   copy.source.region = region;
   ActionOptions adding{ActionKind::add, 1, sculpt.colour};
   adding.ownColours = true;
-  copy.preset = {toText(ActionOperation{adding})};
+  StrokeOperation plain;  // whatever the tool before did
+  plain.stroke.points = {{glm::dvec3(0), 1}};
+  copy.preset = {toText(ActionOperation{adding}), toText(plain)};
   const bool cuts = how == Command::cutPart;
   const bool lists = shelf.open;
   lasso_.reset();

@@ -15,6 +15,14 @@ ToolSource named(const std::string& name) {
   return source;
 }
 
+// The hand has it by its name, which means the scene's tool before others.
+bool isHeld(const Atelier& atelier, const ToolEntry& entry) {
+  const SculptState& sculpt = atelier.sculpt;
+  const ShelfCard* meant = cardNamed(atelier.shelf.cards, entry.name);
+  return sculpt.isFreeform() && sculpt.freeform->source.from == named(entry.name).from &&
+         meant != nullptr && meant->entry.place == entry.place;
+}
+
 }  // namespace
 
 std::vector<std::string> tagsOf(const std::string& text) {
@@ -84,6 +92,14 @@ void Atelier::keepClay(const std::string& name, std::vector<std::string> tags,
   keep(std::move(operation));
 }
 
+void Atelier::choosePart(ShelfDrawer::Part wanted) {
+  shelf.part = wanted;
+  lassoNext_ = false;
+  if (wanted == ShelfDrawer::Part::insideLasso && !lasso_) run(Command::lasso);
+  if (wanted == ShelfDrawer::Part::insideBox && !options.boxSize) run(Command::fitBox);
+  options.box = wanted == ShelfDrawer::Part::insideBox;
+}
+
 // Under its own name, where it takes the place of what it came from; of others, in front of them.
 void Atelier::keepStand() {
   if (!sculpt.isFreeform()) return;
@@ -97,11 +113,45 @@ void Atelier::keepStand() {
   });
 }
 
+// The scene that was left may have taken the tool in the hand with it.
+void Atelier::lookForTool() {
+  const std::string name = sculpt.freeform->name;
+  const auto isThere = std::make_shared<bool>(false);
+  const auto work = [name, isThere](ClayDesk& desk, Progress&) {
+    *isThere = std::ranges::any_of(desk.sculptor().tools().list(),
+                                   [&](const ToolEntry& entry) { return entry.name == name; });
+  };
+  begin("Looking for " + name, work, [this, name, isThere] {
+    if (*isThere || !sculpt.isFreeform() || sculpt.freeform->name != name) return;
+    sculpt.drop();
+    say(Message::Kind::note, name + " stayed with the other scene");
+  });
+}
+
 void Atelier::keepFile(const fs::path& path) {
   dialog = Dialog::none;
   ShelfKeepOperation operation{freeName(shelf.cards, path.stem().string())};
   operation.source.from = fs::absolute(path).string();
   keep(std::move(operation));
+}
+
+// What names are taken only the desk knows: the drawer may never have been open.
+void Atelier::takeFile(const fs::path& path) {
+  touch();
+  const std::string stem = path.stem().string(), opens = keymap.chordText(Command::open);
+  const auto work = [=, from = fs::absolute(path).string()](ClayDesk& desk, Progress& progress) {
+    std::vector<ShelfCard> cards;
+    for (ToolEntry& entry : desk.sculptor().tools().list())
+      cards.push_back({std::move(entry), nullptr, 0});
+    ShelfKeepOperation operation{freeName(cards, stem)};
+    operation.source.from = from;
+    desk.apply(operation, progress);
+    desk.takeTool(named(operation.name));
+    desk.listShelf();
+    desk.note(operation.name + " is a tool: it is on the shelf now, and in hand. " + opens +
+              " opens it as a scene");
+  };
+  begin("Taking " + stem, work);
 }
 
 void Atelier::keepLetters(const std::string& text, double size, double depth) {
@@ -115,19 +165,27 @@ void Atelier::keepLetters(const std::string& text, double size, double depth) {
 void Atelier::renameTool(const ToolEntry& entry, const std::string& to,
                          std::vector<std::string> tags) {
   touch();
-  ask([entry, to, tags = std::move(tags)](ClayDesk& desk) {
+  const auto work = [entry, to, tags = std::move(tags)](ClayDesk& desk, Progress&) {
     if (entry.place == Place::user) return desk.renameUserTool(entry.name, to);
     desk.apply(ShelfRenameOperation{entry.name, to, tags});
     desk.listShelf();
+  };
+  begin("Renaming " + entry.name, work, [this, to, held = isHeld(*this, entry)] {
+    if (!held || !sculpt.isFreeform()) return;
+    sculpt.freeform->name = to;
+    sculpt.freeform->source.from = named(to).from;
   });
 }
 
 void Atelier::dropTool(const ToolEntry& entry) {
   touch();
-  ask([entry](ClayDesk& desk) {
+  const auto work = [entry](ClayDesk& desk, Progress&) {
     if (entry.place == Place::user) return desk.dropUserTool(entry.name);
     desk.apply(ShelfDropOperation{entry.name});
     desk.listShelf();
+  };
+  begin("Deleting " + entry.name, work, [this, held = isHeld(*this, entry)] {
+    if (held) sculpt.drop();
   });
 }
 

@@ -148,25 +148,28 @@ void ClayDesk::peek(std::optional<StepNumber> step) {
   if (before && !before->sameGrid) {
     showAll();
   } else if (before) {
-    put(dresser_->refresh(sculptor().field(), sculptor().surface(), before->blocks,
-                          before->patches));
+    put(dresser_->refresh(shownClay(), shownSurface(), before->changes.blocks,
+                          before->changes.patches));
     rest_ = Rest::light;
     tellStatus();
   }
   if (!step) return;
-  peek_ = std::make_unique<Peek>(bench().history().fieldAt(*step, sculptor().field()), sculptor());
+  peek_ = std::make_unique<Peek>(bench().history().fieldAt(*step, sculptor().field()), sculptor(),
+                                 shown_);
   if (structure_ != Structure::surface) peek_->sameGrid = false;
   if (!peek_->sameGrid) out_.cleared = true;
+  const Clay& clay = peek_->shown.of(peek_->clay);
+  const Surface<8>& surface = peek_->shown.of(peek_->surface);
   put(peek_->sameGrid
-          ? dresser_->refresh(peek_->clay, peek_->surface, peek_->blocks, peek_->patches)
-          : dresser_->rebuild(peek_->clay, peek_->surface));
+          ? dresser_->refresh(clay, surface, peek_->changes.blocks, peek_->changes.patches)
+          : dresser_->rebuild(clay, surface));
   tellStatus();
 }
 
 void ClayDesk::compare(StepNumber step) {
   cancelStroke();
   settleHand();
-  const Peek then(bench().history().fieldAt(step, sculptor().field()), sculptor());
+  const Peek then(bench().history().fieldAt(step, sculptor().field()), sculptor(), {});
   const Clay& now = sculptor().field();
   Comparison found{step, bozzetto::compare(then.clay, now), then.clay.scale, now.scale};
   found.volumeThen = then.volume();
@@ -215,12 +218,13 @@ void ClayDesk::showAll() {
   out_.cleared = true;
   out_.undraped |= std::exchange(draped_, false);
   for (auto* patches : {&out_.fine, &out_.coarse, &fine_, &coarse_}) patches->clear();
+  shown_.rebuild(sculptor().field());
   if (structure_ == Structure::surface) {
-    put(dresser_->rebuild(sculptor().field(), sculptor().surface()));
+    put(dresser_->rebuild(shownClay(), shownSurface()));
   } else {
     put(structurePatches(sculptor().surface(), sculptor().field(), structure_));
   }
-  bounds_ = dresser_->bounds(sculptor().surface());
+  bounds_ = dresser_->bounds(shownSurface());
   if (status_.lastEditStep != 0) status_.lastEdit = bounds_;
   rest_ = Rest::floor;
   tellStatus();
@@ -276,6 +280,13 @@ void ClayDesk::setStructure(Structure structure) {
   showAll();
 }
 
+void ClayDesk::setSmoothing(Smoothing smoothing) {
+  cancelStroke();
+  settleHand();
+  shown_.setSmoothing(smoothing);
+  showAll();
+}
+
 bool ClayDesk::settle() {
   if (stroke_ || peek_) return false;
   keepPartsSoon();
@@ -285,13 +296,13 @@ bool ClayDesk::settle() {
   }
   switch (rest_) {
     case Rest::light: {
-      std::vector<UnpackedPatch> better = dresser_->settle(sculptor().surface());
+      std::vector<UnpackedPatch> better = dresser_->settle(shownSurface());
       if (better.empty()) rest_ = Rest::floor;
       put(std::move(better));
       return true;
     }
     case Rest::floor:
-      bounds_ = dresser_->bounds(sculptor().surface());
+      bounds_ = dresser_->bounds(shownSurface());
       tellStatus();
       out_.floor = dresser_->floor(status_.stage, bounds_);
       rest_ = Rest::statistics;

@@ -11,6 +11,7 @@
 #include "bozzetto/sculptor/recording.hpp"
 #include "ui/posed_clay.hpp"
 #include "ui/publication.hpp"
+#include "ui/shown_clay.hpp"
 
 namespace bozzetto::ui {
 
@@ -109,6 +110,11 @@ class ClayDesk {
 
   /// Shows the surface, or the cubes it is made of.
   void setStructure(Structure structure);
+  /// Shows the clay as it is, or smoothed. Not while a stroke is drawn.
+  void setSmoothing(Smoothing smoothing);
+  /// What is shown, of our state.
+  const Clay& shownClay() const { return shown_.of(sculptor().field()); }
+  const Surface<8>& shownSurface() const { return shown_.of(sculptor().surface()); }
 
   /// A piece of the work that waits until nothing else is to do (better light, statistics); false
   /// when all is done.
@@ -205,6 +211,7 @@ class ClayDesk {
   Publication out_;
   CellBounds bounds_;  // of all patches
   Structure structure_ = Structure::surface;
+  ShownClay shown_;
   std::optional<Camera> eye_;
   HeightSwitch heightSwitch_;
   bool draped_ = false;

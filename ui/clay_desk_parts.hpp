@@ -16,22 +16,26 @@ struct ClayDesk::Saving {
   BackgroundSave job;
 };
 
-// Another state of the clay with its surface; where it is on our grid, what differs from ours.
+// Another state of the clay with its surface; where it is on our grid, what differs of what is
+// shown.
 struct ClayDesk::Peek {
   Clay clay;
   Surface<8> surface;
+  ShownClay shown;
   bool sameGrid = false;
-  std::vector<KeyRun> blocks{};
-  std::vector<Key> patches{};
+  SurfaceChanges changes{};
 
-  Peek(Clay then, const Sculptor& now) : clay(std::move(then)), surface(now.surface()) {
+  Peek(Clay then, const Sculptor& now, const ShownClay& shownNow)
+      : clay(std::move(then)), surface(now.surface()), shown(shownNow) {
     sameGrid =
         clay.scale.spacing == now.field().scale.spacing && clay.scale.iso == now.field().scale.iso;
     if (sameGrid) {
-      blocks = differingBlocks(clay, now.field());
-      patches = surface.refresh(clay, blocks).changed;
+      changes.blocks = differingBlocks(clay, now.field());
+      changes.patches = surface.refresh(clay, changes.blocks).changed;
+      changes = shown.follow(clay, changes);
     } else {
       surface.rebuild(clay);
+      shown.rebuild(clay);
     }
   }
   double volume() const { return measure(surface).volume * std::pow(clay.scale.spacing, 3); }

@@ -88,12 +88,12 @@ void ClayDesk::takeTool(const ToolSource& source) {
 
 void ClayDesk::shareTool(const std::string& name, const fs::path& path) {
   share(bench().tools().find(name), path);
+  note("Saved " + path.filename().string());
 }
 
 void ClayDesk::share(ShelfTool tool, const fs::path& path) {
   if (tool.thumbnail.empty()) tool.thumbnail = thumbnailOf(likenessOf(tool));
   saveTool(path, tool);
-  note("Saved " + path.filename().string());
 }
 
 void ClayDesk::keepForUser(const std::string& name, const std::string& as) {
@@ -101,6 +101,7 @@ void ClayDesk::keepForUser(const std::string& name, const std::string& as) {
   tool.name = as;
   fs::create_directories(userToolFolder());
   share(std::move(tool), userToolFile(as));
+  note(as + " is in your library now");
   bench().tools().forget();
   listShelf();
 }

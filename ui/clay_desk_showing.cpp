@@ -35,8 +35,9 @@ void ClayDesk::seenFrom(const Camera& camera) {
 
 void ClayDesk::showMesh(const SurfaceChanges& changes) {
   const Stopwatch watch;
+  const SurfaceChanges shown = shown_.follow(sculptor().field(), changes);
   std::vector<UnpackedPatch> patches =
-      dresser_->refresh(sculptor().field(), sculptor().surface(), changes.blocks, changes.patches);
+      dresser_->refresh(shownClay(), shownSurface(), shown.blocks, shown.patches);
   for (const UnpackedPatch& patch : patches) status_.lastEdit.add(patch.bounds());
   bounds_.add(status_.lastEdit);
   put(std::move(patches));
@@ -60,7 +61,8 @@ void ClayDesk::showStiffness() {
 }
 
 void ClayDesk::showCloths(const SurfaceChanges& changes) {
-  putCloths(dresser_->redrape(sculptor().field(), changes.blocks));
+  putCloths(
+      dresser_->redrape(shownClay(), shown_.followBlocks(sculptor().field(), changes.blocks)));
   heightSwitch_.draped(blocksIn(changes.blocks));
   if (!heightSwitch_.wantsCloths()) return undrape();
   tellStatus();
@@ -85,7 +87,7 @@ void ClayDesk::drape() {
   out_.heights.clear();
   draped_ = true;
   const CellBounds edited = status_.lastEdit;
-  putCloths(dresser_->drape(sculptor().field(), facingsFor(*eye_, bounds_)));
+  putCloths(dresser_->drape(shownClay(), facingsFor(*eye_, bounds_)));
   status_.lastEdit = edited;
 }
 

@@ -176,6 +176,7 @@ std::string lookText(const ViewOptions& options) {
             {"flat", look.shading == Shading::flat},
             {"edges", look.edges},
             {"floor", look.floor},
+            {"smoothed", options.smoothed},
             {"roughness", look.specular.roughness},
             {"highlights", look.specular.strength},
             {"paint", look.paint},
@@ -199,6 +200,7 @@ void takeLook(const std::string& text, ViewOptions& options) {
   look.shading = flat ? Shading::flat : Shading::smooth;
   take(json, "edges", look.edges);
   take(json, "floor", look.floor);
+  take(json, "smoothed", options.smoothed);
   takeWithin(json, "roughness", 0.f, 1.f, look.specular.roughness);
   takeWithin(json, "highlights", 0.f, 10.f, look.specular.strength);
   takeWithin(json, "paint", 0.f, 1.f, look.paint);

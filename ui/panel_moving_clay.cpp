@@ -184,16 +184,16 @@ void ledgerSection(Atelier& atelier) {
   const OperationReport& last = status.last;
   const double mass = last.op.empty() ? atelier.statistics().field.mass : status.mass;
   factLine("Mass now", fmt::format("{:.8g} mm³", mass), "Σ density × cell volume, exact.");
-  if (!last.op.empty()) {
-    factLine("Before", fmt::format("{:.8g} mm³", last.massBefore), "The last operation.");
-    factLine("Change", fmt::format("{:+.4g} mm³", last.massAfter - last.massBefore));
-  }
+  const double change = last.op.empty() ? 0 : last.massAfter - last.massBefore;
+  factLine("Last change", fmt::format("{:+.4g} mm³", change), "By what was done last.");
   const MassLedger& ledger = status.ledger;
+  const double before = mass - ledger.total();
+  factLine("Before", fmt::format("{:.8g} mm³", std::abs(before) < 1e-9 * mass ? 0 : before),
+           "What was there when the account began.");
   factLine("Added", fmt::format("{:.6g} mm³", ledger.added), "By strokes and shapes that give.");
   factLine("Removed", fmt::format("{:.6g} mm³", ledger.removed), "By those that take.");
   if (ledger.dropped > 0)
     factLine("Smoothed away", fmt::format("{:.4g} mm³", ledger.dropped), "Of what was removed.");
-  if (ledger.moves == 0) return;
   factLine("Moved without loss", grouped((long long)ledger.moves),
            "Strokes that move clay, and relaxations.");
   factLine("Drift of these", part(ledger.drift, mass), "All together; 1 ppm is promised.");

@@ -1,5 +1,6 @@
 // Sections of the properties panel: what a stamp leaves, how dabs stand.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ui/panels.hpp"
@@ -8,25 +9,28 @@
 namespace bozzetto::ui {
 namespace {
 
-// def(d) from the tool's core outward: what the clay loses inside, what rises round it.
-void stampPlot(const StampOptions& options, double iso) {
-  const StampCurve curve(clamped(options, iso), iso);
+// Where def(d) is drawn, from the tool's core outward.
+struct Plot {
+  ImVec2 at, size;
+  double curveEnd, end;  // d of the curve's end, and at the right
+  float zero() const { return at.y + size.y * .5f; }
+  float perUnit() const { return (size.x - px(16)) / float(end); }
+  ImVec2 place(double d, double value) const {
+    return {at.x + px(8) + perUnit() * float(d),
+            zero() - size.y * .42f * float(std::clamp(value, -1.0, 1.0))};
+  }
+};
+
+// What the clay loses inside, what rises round it.
+void drawCurve(const StampCurve& curve, const Plot& plot) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = px(96);
-  list->AddRectFilled(at, {at.x + width, at.y + height}, ink(0x141518), px(6));
-  const double end = std::max(curve.end() * 1.15, 1.2);
-  const float zero = at.y + height * .5f;
-  const auto place = [&](double d) {
-    return ImVec2(at.x + px(8) + (width - px(16)) * float(d / end),
-                  zero - height * .42f * float(std::clamp(curve(d), -1.0, 1.0)));
-  };
-  list->AddLine({at.x + px(8), zero}, {at.x + width - px(8), zero}, ink(0xFFFFFF, .10f));
-  const float surface = place(curve.surface()).x;
-  list->AddLine({surface, at.y + px(6)}, {surface, at.y + height - px(6)}, ink(0xFFFFFF, .10f));
   constexpr int kSteps = 96;
   ImVec2 points[kSteps + 1];
-  for (int n = 0; n <= kSteps; ++n) points[n] = place(end * n / kSteps);
+  for (int n = 0; n <= kSteps; ++n) {
+    const double d = plot.end * n / kSteps;
+    points[n] = plot.place(d, curve(d));
+  }
+  const float zero = plot.zero();
   const ImDrawListFlags flags = list->Flags;
   list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // strips would show seams
   for (int n = 0; n < kSteps; ++n) {
@@ -36,11 +40,53 @@ void stampPlot(const StampOptions& options, double iso) {
   }
   list->Flags = flags;
   list->AddPolyline(points, kSteps + 1, ink(0xF19A6F), 0, px(2));
+}
+
+// The crest and the end of the fall; the one that is nearer is dragged.
+void dragHandles(StampOptions& stamp, const StampOptions& fits, const Plot& plot) {
+  const std::array<ImVec2, 2> handles{plot.place(plot.curveEnd - fits.fall, fits.height),
+                                      plot.place(plot.curveEnd, 0)};
+  const ImVec2 pointer = ImGui::GetIO().MousePos, by = ImGui::GetIO().MouseDelta;
+  const auto farness = [&](const ImVec2& p) {
+    return std::hypot(p.x - pointer.x, p.y - pointer.y);
+  };
+  int* dragged = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("curve"));
+  if (ImGui::IsItemActivated()) *dragged = farness(handles[1]) < farness(handles[0]) ? 1 : 0;
+  if (ImGui::IsItemActive() && *dragged == 0) {
+    stamp.rise = std::clamp(stamp.rise + by.x / plot.perUnit(), 0.01, 1.0);
+    stamp.height = std::clamp(stamp.height - by.y / (plot.size.y * .42), 0.0, 1.0);
+  } else if (ImGui::IsItemActive()) {
+    stamp.fall = std::clamp(stamp.fall + by.x / plot.perUnit(), 0.01, 2.0);
+  }
+  for (const ImVec2& handle : handles) {
+    ImGui::GetWindowDrawList()->AddCircleFilled(handle, px(5), ink(tint::panel), 24);
+    ImGui::GetWindowDrawList()->AddCircleFilled(handle, px(3.6f), ink(tint::knob), 24);
+  }
+}
+
+void stampPlot(StampOptions& stamp, double iso) {
+  const StampOptions fits = clamped(stamp, iso);
+  const StampCurve curve(fits, iso);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const Plot plot{ImGui::GetCursorScreenPos(),
+                  {ImGui::GetContentRegionAvail().x, px(96)},
+                  curve.end(),
+                  std::max(curve.end() * 1.15, 1.2)};
+  const ImVec2 at = plot.at, size = plot.size;
+  list->AddRectFilled(at, {at.x + size.x, at.y + size.y}, ink(0x141518), px(6));
+  list->AddLine({at.x + px(8), plot.zero()}, {at.x + size.x - px(8), plot.zero()},
+                ink(0xFFFFFF, .10f));
+  const float surface = plot.place(curve.surface(), 0).x;
+  list->AddLine({surface, at.y + px(6)}, {surface, at.y + size.y - px(6)}, ink(0xFFFFFF, .10f));
+  drawCurve(curve, plot);
   drawText(list, fonts().medium, {at.x + px(10), at.y + px(7)}, ink(tint::faint), "inside");
-  drawText(list, fonts().medium, {surface + px(7), at.y + height - px(20)}, ink(tint::faint),
+  drawText(list, fonts().medium, {surface + px(7), at.y + size.y - px(20)}, ink(tint::faint),
            "surface");
-  ImGui::Dummy({width, height});
-  tooltip("What the clay gains or loses, from the tool's core to beyond its surface.");
+  hotArea("curve", size);
+  tooltip(
+      "What the clay gains or loses, from the tool's core to beyond its surface. Drag the "
+      "crest, or the end of the fall.");
+  dragHandles(stamp, fits, plot);
 }
 
 }  // namespace
@@ -75,10 +121,12 @@ void placementSection(Atelier& atelier) {
   toggle(
       "One print, dragged", placement.anchored,
       "Press where it stands; drag gives its size and, if it follows the stroke, its direction.");
+  ImGui::BeginDisabled(placement.anchored);
   slider("Scatter", jitter.position, {0, 3, "%", 100, 0}, "Off the line, in tool radii.");
   slider("Vary size", jitter.size, {0, 1, "%", 100, 0}, "Dabs are up to so much smaller.");
   slider("Vary turn", jitter.rotation, {0, 180, "°", 1, 0}, "Dabs are turned up to so much.");
   slider("Roll", placement.roll, {-2, 2, "×", 1, 2}, "Turns as it goes; 1 rolls without sliding.");
+  ImGui::EndDisabled();
   const double cell = atelier.status().scale.spacing;
   slider("Grid", placement.grid, {0, 64 * cell, "mm", 1, 1}, "Dabs stand on multiples of this.");
   const char* names[] = {"Copies right", "Copies up", "Copies back"};

@@ -70,8 +70,10 @@ void cardMenu(Atelier& atelier, const ToolEntry& entry) {
   ImGui::PopStyleVar(2);
 }
 
-bool isInHand(const Atelier& atelier, const ToolEntry& entry) {
-  return atelier.sculpt.isFreeform() && atelier.sculpt.freeform->name == entry.name;
+// A name means the scene's tool before others.
+bool isInHand(const Atelier& atelier, const ShelfCard& card) {
+  return atelier.sculpt.isFreeform() && atelier.sculpt.freeform->name == card.entry.name &&
+         cardNamed(atelier.shelf.cards, card.entry.name) == &card;
 }
 
 std::string tipOf(const ToolEntry& entry) {
@@ -85,7 +87,7 @@ void toolCard(const PanelContext& context, const ShelfCard& card, float side) {
   if (hotArea("tool", {side, side + px(18)})) atelier.takeTool(card.entry);
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high{low.x + side, low.y + side};
-  const bool hovered = ImGui::IsItemHovered(), chosen = isInHand(atelier, card.entry);
+  const bool hovered = ImGui::IsItemHovered(), chosen = isInHand(atelier, card);
   tooltip(tipOf(card.entry));
   cardMenu(atelier, card.entry);
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -150,27 +152,37 @@ void keepNow(Atelier& atelier) {
   drawer.form = Form::none;
 }
 
-// Which clay; the box and the lasso are seen at once.
+std::string lassoHelp(const Atelier& atelier) {
+  const std::string chord = atelier.keymap.chordText(Command::lasso);
+  if (atelier.lasso()) return "The part in the lasso is kept; " + chord + " draws another.";
+  return atelier.drawsLasso() ? "Draw round the part." : chord + ", then draw round the part.";
+}
+
+std::string helpFor(const Atelier& atelier) {
+  switch (atelier.shelf.part) {
+    case ShelfDrawer::Part::insideBox:
+      return "Drag the box's handles around the part.";
+    case ShelfDrawer::Part::insideLasso:
+      return lassoHelp(atelier);
+    case ShelfDrawer::Part::toolInHand:
+      return "With its action, strength, stroke and placement.";
+    case ShelfDrawer::Part::allClay:
+      break;
+  }
+  return "";
+}
+
 void choosePart(Atelier& atelier) {
-  ShelfDrawer& drawer = atelier.shelf;
-  int part = int(drawer.part);
+  int part = int(atelier.shelf.part);
   if (choice("##part", part, {"All clay", "In the box", "In a lasso", "Tool in hand"},
              "What is kept: clay as a tool that does what yours does now, or your tool as it is, "
              "a ball or box too.")) {
-    drawer.part = ShelfDrawer::Part(part);
-    if (drawer.part == ShelfDrawer::Part::insideLasso && !atelier.lasso())
-      atelier.run(Command::lasso);
-    if (drawer.part == ShelfDrawer::Part::insideBox && !atelier.options.boxSize) {
-      atelier.run(Command::fitBox);
-    }
-    atelier.options.box = drawer.part == ShelfDrawer::Part::insideBox;
+    atelier.choosePart(ShelfDrawer::Part(part));
   }
-  constexpr const char* kHelp[] = {"", "Drag the box's handles around the part.",
-                                   "Draw round the part (Ctrl+L begins again).",
-                                   "With its action, strength, stroke and placement."};
-  if (drawer.part == ShelfDrawer::Part::allClay) return;
+  const std::string help = helpFor(atelier);
+  if (help.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, ink(tint::dim));
-  ImGui::TextWrapped("%s", kHelp[int(drawer.part)]);
+  ImGui::TextWrapped("%s", help.c_str());
   ImGui::PopStyleColor();
 }
 
@@ -186,19 +198,20 @@ void keepForm(Atelier& atelier) {
   const float width = ImGui::GetContentRegionAvail().x;
   done |= button("Keep", {width, 0}, ButtonKind::accent, "Puts it on this scene's shelf.");
   if (!done || drawer.name.empty()) return;
-  if (drawer.part == ShelfDrawer::Part::insideLasso && !atelier.lasso()) return;
+  if (drawer.part == ShelfDrawer::Part::insideLasso && !atelier.lasso())
+    return atelier.choosePart(drawer.part);
   const ShelfCard* taken = cardNamed(drawer.cards, drawer.name);
   if (taken == nullptr) return keepNow(atelier);
   drawer.about = taken->entry;
   drawer.form = Form::replace;
 }
 
-enum class Answer { none, replace, both };
+enum class Answer { none, replace, both, cancel };
 
 // What has the name, and what becomes of it.
 Answer replaceQuestion(ShelfDrawer& drawer, const std::string& text) {
   ImGui::TextWrapped("%s", text.c_str());
-  const float half = (ImGui::GetContentRegionAvail().x - px(8)) / 2;
+  const float whole = ImGui::GetContentRegionAvail().x, half = (whole - px(8)) / 2;
   Answer answer = Answer::none;
   if (button("Keep both", {half, 0}, ButtonKind::accent, "The new one gets a name of its own.")) {
     answer = Answer::both;
@@ -207,6 +220,7 @@ Answer replaceQuestion(ShelfDrawer& drawer, const std::string& text) {
   if (button("Replace", {half, 0}, ButtonKind::plain, "The old one is gone for good.")) {
     answer = Answer::replace;
   }
+  if (button("Cancel", {whole, 0}, ButtonKind::plain, "Nothing is kept.")) answer = Answer::cancel;
   if (answer != Answer::none) drawer.form = Form::none;
   return answer;
 }
@@ -222,6 +236,7 @@ void replaceForm(Atelier& atelier) {
                 (drawer.about->place == Place::user ? "tool of your library" : "starter tool") +
                 " already; in this scene the new one would hide it.";
   const Answer answer = replaceQuestion(drawer, text);
+  if (answer == Answer::cancel) return ask(drawer, Form::keep);
   if (answer == Answer::none) return;
   if (answer == Answer::both) drawer.name = freeName(drawer.cards, drawer.name);
   keepNow(atelier);
@@ -232,7 +247,7 @@ void replaceMineForm(Atelier& atelier) {
   ShelfDrawer& drawer = atelier.shelf;
   const Answer answer =
       replaceQuestion(drawer, "“" + drawer.about->name + "” is in your library already.");
-  if (answer == Answer::none) return;
+  if (answer == Answer::none || answer == Answer::cancel) return;
   const std::string& name = drawer.about->name;
   atelier.keepForUser(*drawer.about, answer == Answer::both ? freeName(drawer.cards, name) : name);
 }
@@ -299,7 +314,7 @@ float heightOf(const ShelfDrawer& drawer) {
       return px(6 * kLine + (drawer.part != ShelfDrawer::Part::allClay ? 44.f : 4.f));
     case Form::replace:
     case Form::replaceMine:
-      return px(4 * kLine + 4);
+      return px(5 * kLine + 4);
     case Form::letters:
       return px(2 * kLine + 92);
     case Form::rename:
@@ -319,6 +334,7 @@ void buttons(Atelier& atelier) {
     ask(atelier.shelf, Form::keep);
     atelier.shelf.name = freeName(atelier.shelf.cards, "tool");
     atelier.shelf.tags.clear();
+    if (atelier.shelf.form == Form::keep) atelier.choosePart(atelier.shelf.part);
   }
   ImGui::SameLine();
   if (button("Letters…", {third, 0}, ButtonKind::plain, "A text becomes a tool.")) {

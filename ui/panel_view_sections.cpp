@@ -194,13 +194,10 @@ void lightSection(Atelier& atelier) {
   }
 }
 
-void viewSection(Atelier& atelier) {
+namespace {
+
+void shownThings(Atelier& atelier) {
   ViewOptions& options = atelier.options;
-  int tool = int(options.tool);
-  if (choice("The tool", tool, {"Hidden", "Solid", "Clear", "Wires"},
-             "How the tool is shown (T).")) {
-    options.tool = ToolDisplay(tool);
-  }
   toggle("Ring", options.ring, "The cursor on the surface.");
   toggle("Limit of influence", options.limit, "How far the tool reaches.");
   toggle("Wireframe", options.look.edges, "The triangles' edges (W).");
@@ -208,12 +205,27 @@ void viewSection(Atelier& atelier) {
   if (toggle("Flat triangles", flat, "Every triangle by itself.")) {
     options.look.shading = flat ? Shading::flat : Shading::smooth;
   }
+  toggle("Smoothed", options.smoothed,
+         "Shows moved clay without steps of one cell. Only a look: the clay that is saved and "
+         "exported stays as sharp as it is.");
   toggle("Floor", options.look.floor, "Light and shadow under the clay.");
   toggle("Grid", options.grid, "Lines on the floor.");
   toggle("Workspace box", options.box, "A box around the clay (B).");
   if (options.box && button("Fit the box", {ImGui::GetContentRegionAvail().x, 0})) {
     atelier.run(Command::fitBox);
   }
+}
+
+}  // namespace
+
+void viewSection(Atelier& atelier) {
+  ViewOptions& options = atelier.options;
+  int tool = int(options.tool);
+  if (choice("The tool", tool, {"Hidden", "Solid", "Clear", "Wires"},
+             "How the tool is shown (T).")) {
+    options.tool = ToolDisplay(tool);
+  }
+  shownThings(atelier);
   double angle = atelier.view.fieldOfView;
   if (slider("Lens", angle, {0.1, 1.6, "°", kDegrees}, "The picture's height as an angle.")) {
     // The clay at the target stays as large as it is.

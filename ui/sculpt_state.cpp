@@ -187,6 +187,7 @@ Stroke SculptState::strokeFrom(const StrokePoint& first) const {
   stroke.pressure = {pressureStrength, pressureSize};
   stroke.symmetry = symmetry;
   stroke.placement = placement;
+  if (placement.anchored) stroke.placement.jitter = {};  // printed is what was dragged
   return stroke;
 }
 

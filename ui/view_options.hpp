@@ -22,6 +22,7 @@ struct ViewOptions {
   std::string matcapFrom;  ///< the file of look.matcapImage
   Stereo stereo;
   Structure structure = Structure::surface;
+  bool smoothed = false;  ///< a smoothed copy of the clay is looked at
   ToolDisplay tool = ToolDisplay::transparent;
   bool ring = true;
   bool limit = false;  ///< of influence, around the tool's body

@@ -298,6 +298,24 @@ TEST_F(Views, looks) {
   atelier_.mouseMoves = Moves::scene;
 }
 
+// A ball into which another was pushed, from above: terraces all round, and none.
+TEST_F(Views, smoothedClay) {
+  ToolOperation ball;
+  ball.shape.radii = glm::dvec3(8);
+  ActionOperation push;
+  push.action.kind = ActionKind::push;
+  StrokeOperation down;
+  down.stroke.points = {{{0, 30, 0}, 1}, {{0, 15, 0}, 1}};
+  for (const Operation& each : {Operation(ball), Operation(push), Operation(down)})
+    atelier_.apply(each);
+  atelier_.view.turnTo(0.42, 0.6);
+  still();
+  const Image sharp = seen(picture("look_sharp"), What::viewport);
+  atelier_.options.smoothed = true;
+  expectAsItWas("look_smoothed", What::viewport);
+  EXPECT_GT(worstBlock(seen(picture("look_smoothed"), What::viewport), sharp), 8);
+}
+
 TEST_F(Views, stereo) {
   carve();
   Stereo& stereo = atelier_.options.stereo;

@@ -59,6 +59,23 @@ TEST_F(Files, allPicturesBecomeReferencesAndTheFirstDocumentIsOpened) {
   EXPECT_EQ(atelier_.options.references.size(), 2u);
 }
 
+// Whether the shelf is open or not, and whatever is on it: the scene stays.
+TEST_F(Files, aDroppedToolIsTaken) {
+  saveTool(folder_ / "leaf.bzt", makeStarter("leaf"));
+  drag(middle(), middle() + glm::dvec2(60, 20));
+  const std::uint64_t before = hash();
+  for (const char* name : {"leaf 2", "leaf 3"}) {
+    drop({"leaf.bzt"});
+    EXPECT_EQ(atelier_.dialog, Dialog::none);
+    EXPECT_EQ(hash(), before);
+    ASSERT_TRUE(atelier_.sculpt.isFreeform());
+    EXPECT_EQ(atelier_.sculpt.freeform->name, name) << "there is a starter of its name";
+    EXPECT_TRUE(said("in hand"));
+  }
+  EXPECT_TRUE(atelier_.path().empty());
+  EXPECT_TRUE(atelier_.isModified());
+}
+
 TEST_F(Files, onAnOpenShelfAllBecomeTools) {
   for (const char* name : {"a.bzt", "b c.bzt"}) {
     atelier_.saveScene(folder_ / name);

@@ -27,10 +27,12 @@ class Pace : public Offscreen {
     return took.count() / count;
   }
 
+  void expectPace();
+
   std::size_t most_ = 0;
 };
 
-TEST_F(Pace, SlowAStrokeKeepsThePaceOfTheCamera) {
+void Pace::expectPace() {
   ASSERT_GT(atelier_.patches().triangles(), 480000u);
   atelier_.sculpt.size = 16;
   constexpr int kFrames = 40;
@@ -64,6 +66,14 @@ TEST_F(Pace, SlowAStrokeKeepsThePaceOfTheCamera) {
   EXPECT_LE(stroke, 1.25 * camera);
   EXPECT_LE(after, 2);
   EXPECT_LE(most, 12u << 20);
+}
+
+TEST_F(Pace, SlowAStrokeKeepsThePaceOfTheCamera) { expectPace(); }
+
+TEST_F(Pace, SlowSmoothedClayKeepsItToo) {
+  atelier_.options.smoothed = true;
+  settle();
+  expectPace();
 }
 
 }  // namespace

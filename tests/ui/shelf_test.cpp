@@ -131,6 +131,27 @@ TEST_F(Shelf, theKeepFormWorksByPointerAndKeys) {
   EXPECT_NE(card("my ball"), nullptr);
 }
 
+// Drawing what the form asks for never sculpts.
+TEST_F(Shelf, aPartInALassoIsDrawnOnce) {
+  using Part = ShelfDrawer::Part;
+  atelier_.choosePart(Part::insideLasso);
+  EXPECT_TRUE(atelier_.drawsLasso());
+  atelier_.choosePart(Part::allClay);
+  EXPECT_FALSE(atelier_.drawsLasso());
+  atelier_.choosePart(Part::insideLasso);
+  const std::size_t before = steps();
+  click(middle());
+  EXPECT_TRUE(atelier_.drawsLasso()) << "a slip of the hand is no lasso";
+  circle();
+  ASSERT_TRUE(atelier_.lasso());
+  EXPECT_FALSE(atelier_.drawsLasso());
+  atelier_.choosePart(Part::allClay);
+  atelier_.choosePart(Part::insideLasso);
+  EXPECT_FALSE(atelier_.drawsLasso()) << "there is one";
+  EXPECT_TRUE(atelier_.lasso());
+  EXPECT_EQ(steps(), before);
+}
+
 TEST_F(Shelf, aTakenNameIsAskedAbout) {
   atelier_.keepClay("ball", {"first"}, ShelfDrawer::Part::allClay);
   settle();
@@ -253,6 +274,7 @@ TEST_F(Null, dabsStandAsThePlacementSays) {
 
 TEST_F(Shelf, aLassoIsCutPastedAndReplays) {
   const double before = mass();
+  atelier_.sculpt.placement.toNormal = true;
   circle();
   ASSERT_TRUE(atelier_.lasso());
   EXPECT_GT(atelier_.overlays().lines.size(), 0u);
@@ -264,6 +286,7 @@ TEST_F(Shelf, aLassoIsCutPastedAndReplays) {
   EXPECT_EQ(atelier_.sculpt.freeform->source.from, "shelf:copy");
   EXPECT_EQ(atelier_.actionNow(), ActionKind::add);
   EXPECT_TRUE(atelier_.sculpt.ownColours);
+  EXPECT_FALSE(atelier_.sculpt.placement.toNormal) << "it lies as it was";
   const double cut = mass();
   click(middle());
   EXPECT_GT(mass(), cut + 100) << "and put down again";

@@ -127,6 +127,44 @@ TEST_F(Shelf, aSculptureInTheHandIsKeptWithItsSettings) {
   EXPECT_EQ(tool.source->from, "shelf:gouge");
 }
 
+// Strokes name the tool: they find it under its new name, and none where it is gone.
+TEST_F(Shelf, theHandFollowsItsTool) {
+  atelier_.keepClay("ball", {}, ShelfDrawer::Part::allClay);
+  settle();
+  take("ball");
+  atelier_.sculpt.size = 6;
+  atelier_.renameTool(card("ball")->entry, "orb", {});
+  settle();
+  EXPECT_EQ(atelier_.sculpt.freeform->name, "orb");
+  const std::uint64_t before = hash();
+  drag(middle(), middle() + glm::dvec2(20, 8));
+  EXPECT_NE(hash(), before);
+  EXPECT_TRUE(atelier_.messages().empty());
+  atelier_.dropTool(card("orb")->entry);
+  settle();
+  EXPECT_FALSE(atelier_.sculpt.isFreeform());
+}
+
+TEST_F(Shelf, aSceneTakesItsToolsAlong) {
+  atelier_.keepClay("ball", {}, ShelfDrawer::Part::allClay);
+  settle();
+  for (const char* name : {"ball", "leaf"}) {
+    take(name);
+    ASSERT_TRUE(atelier_.sculpt.isFreeform());
+    atelier_.worker().post([](ClayDesk& desk) { desk.startNew(NewClay::ball); });
+    settle();
+    EXPECT_EQ(atelier_.sculpt.isFreeform(), std::string(name) == "leaf") << "everybody has that";
+  }
+}
+
+TEST_F(Shelf, onePrintIsWhatWasDragged) {
+  SculptState& sculpt = atelier_.sculpt;
+  sculpt.placement.jitter.size = 0.5;
+  EXPECT_EQ(sculpt.strokeFrom({glm::dvec3(0), 1}).placement.jitter.size, 0.5);
+  sculpt.placement.anchored = true;
+  EXPECT_EQ(sculpt.strokeFrom({glm::dvec3(0), 1}).placement.jitter.size, 0);
+}
+
 TEST_F(Shelf, theGhostIsThereWhenAPanelLetsGo) {
   take("leaf");
   moveTo({400, 60});
