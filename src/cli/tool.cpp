@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "bozzetto/base/file.hpp"
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/sculptor/recording.hpp"
 #include "bozzetto/sculptor/tool_library.hpp"
 #include "cli/progress_bar.hpp"
@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 struct MakeArguments {
   ToolSource source;
   std::string out, tags, preset, lasso;
-  std::optional<std::string> name;
+  std::optional<std::string> name, text;
   std::vector<double> region, plane, pivot, contact;
   bool replace = false, patch = false;
 
@@ -55,25 +55,30 @@ WorldRegion regionFrom(const std::string& text) {
 // What a recording says of the hand.
 std::vector<Operation> presetFrom(const std::string& path) {
   if (path.empty()) return {};
-  std::vector<Operation> preset = readRecording(path).operations;
-  std::erase_if(preset, [](const Operation& operation) {
-    return !std::holds_alternative<ToolOperation>(operation) &&
-           !std::holds_alternative<ActionOperation>(operation) &&
-           !std::holds_alternative<StrokeOperation>(operation) &&
-           !std::holds_alternative<ClayOperation>(operation);
-  });
+  const Recording recording = readRecording(path);
+  std::vector<Operation> preset;
+  for (std::size_t n = 0; n < recording.operations.size(); ++n) {
+    const Operation& operation = recording.operations[n];
+    if (!isOfPreset(operation)) continue;
+    try {
+      requireOfPreset(operation);
+    } catch (const Error& error) {
+      throw Error(recording.placeOf(n) + error.what());
+    }
+    preset.push_back(operation);
+  }
   if (preset.empty()) throw Error(path + ": no tool, action, stroke or clay found, one expected");
   return preset;
 }
 
 ToolSource sourceOf(const MakeArguments& arguments) {
   ToolSource source = arguments.source;
-  if (arguments.region.size() == 6) {
-    const auto& r = arguments.region;
-    if (std::any_of(r.begin(), r.end(), [](double v) { return std::isnan(v); }))
-      throw Error("--region: six numbers expected");
-    source.region = WorldRegion{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
+  if (arguments.text) {
+    if (arguments.text->empty()) throw Error("--text: nothing found, letters expected");
+    source.text = *arguments.text;
   }
+  const auto& r = arguments.region;
+  if (r.size() == 6) source.region = WorldRegion{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {}};
   if (!arguments.lasso.empty()) source.region = regionFrom(arguments.lasso);
   const auto& p = arguments.plane;
   if (arguments.patch) source.patch.emplace();
@@ -84,20 +89,42 @@ ToolSource sourceOf(const MakeArguments& arguments) {
     throw Error("tool make: either a source, --text or --preset expected");
   if (source.isAtHand() && (source.region || source.patch || source.pivot || source.contact))
     throw Error("tool make: a preset alone has no region, patch, pivot or contact");
+  requireValid(source);
   return source;
+}
+
+std::vector<std::string> tagsFrom(const std::string& list) {
+  std::vector<std::string> tags = wordsOf(list);
+  for (const std::string& tag : tags)
+    if (!isOneLine(tag) || tag.size() > 255)
+      throw Error("--tags: words of up to 255 bytes, UTF-8 in one line, expected");
+  return tags;
+}
+
+// Whether tools of that file's name are found as `shelf:NAME`.
+bool isInLibrary(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(file.parent_path(), userToolFolder(), ignored);
 }
 
 // Where the tool goes; refuses names, and what must not be replaced.
 std::filesystem::path placeFor(const ShelfTool& tool, const MakeArguments& arguments) {
   std::filesystem::path out = arguments.out;
+  requireToolName(tool.name);
   if (arguments.name || out.empty()) {
     const auto inLibrary = userToolFile(tool.name);
     if (out.empty()) out = inLibrary;
   }
+  const std::string name = out.stem().string();
   if (out.extension() != ".bzt")
     throw Error(out.string() + ": tools are .bzt files, another name found");
-  if (!arguments.replace && std::filesystem::exists(out))
+  if (arguments.replace) return out;
+  std::error_code ignored;
+  if (std::filesystem::exists(out, ignored))
     throw Error(out.string() + ": exists already; --replace replaces it");
+  if (isStarter(name) && (arguments.out.empty() || isInLibrary(out)))
+    throw Error(name + ": a starter is called so, and recordings that say shelf:" + name +
+                " would get this tool; another --name, or --replace, expected");
   return out;
 }
 
@@ -112,7 +139,7 @@ void make(const MakeArguments& arguments) {
     tool = toolFrom(source, progress);  // refuses what is no tool
   }
   if (arguments.name) tool.name = *arguments.name;
-  if (!arguments.tags.empty()) tool.tags = wordsOf(arguments.tags);
+  if (!arguments.tags.empty()) tool.tags = tagsFrom(arguments.tags);
   if (!preset.empty()) tool.preset = preset;
   const std::filesystem::path out = placeFor(tool, arguments);
   tool.thumbnail = thumbnailOf(tool, progress);
@@ -144,7 +171,7 @@ void list(const std::string& query, bool json) {
       fmt::print("{:<16} {:<9} {}\n", entry.name, placeOf(entry.place), fmt::join(entry.tags, " "));
     }
   }
-  if (json) fmt::print("{}\n", entries.dump(1));
+  if (json) fmt::print("{}\n", entries.dump(1, ' ', false, Json::error_handler_t::replace));
 }
 
 Json listOf(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
@@ -217,14 +244,14 @@ void addMake(CLI::App& tool) {
   command->add_option("--cells", a->source.cells, "Along the longest side of meshes and pictures");
   command->add_option("--width", a->source.width, "Of a picture's relief, world units");
   command->add_option("--height", a->source.height, "Of white in it, world units");
-  command->add_option("--text", a->source.text, "Letters in place of a source");
+  command->add_option("--text", a->text, "Letters in place of a source");
   command->add_option("--font", a->source.font, "A font file in place of the packaged one");
   command->add_option("--size", a->source.letterSize,
                       "Of a capital letter with its room, world units");
   command->add_option("--depth", a->source.letterDepth, "Of letters, world units");
   command->add_option("--preset", a->preset,
                       "A recording whose tool, action, stroke go with it, or stand alone");
-  command->add_flag("--replace", a->replace, "In the place of a file of that name");
+  command->add_flag("--replace", a->replace, "In the place of a file or starter of that name");
   command->callback([a] { make(*a); });
 }
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "bozzetto/base/error.hpp"
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/io/grey_image.hpp"
 
 namespace bozzetto {
@@ -49,25 +50,20 @@ std::filesystem::path fontFor(const TextOptions& options) {
   return *there;
 }
 
-// One code point from UTF-8, at `at`, which moves on.
-char32_t nextCharacter(const std::string& text, std::size_t& at) {
-  const auto byte = [&](std::size_t n) -> unsigned {
-    return n < text.size() ? static_cast<unsigned char>(text[n]) : 0;
-  };
-  const unsigned lead = byte(at);
-  const std::size_t more = lead < 0x80 ? 0 : lead >> 5 == 6 ? 1 : lead >> 4 == 14 ? 2 : 3;
-  bool sound = lead < 0x80 || (lead >= 0xc2 && lead < 0xf5);
-  char32_t code = more == 0 ? lead : lead & (0x3fU >> more);
-  for (std::size_t n = 1; n <= more; ++n) {
-    sound = sound && byte(at + n) >> 6 == 2;
-    code = code << 6 | (byte(at + n) & 0x3f);
+std::vector<char32_t> charactersOf(const std::string& text) {
+  std::vector<char32_t> characters;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto character = nextCharacter(text, at);
+    if (!character) {
+      throw Error("text: no character at byte " + std::to_string(at) +
+                  ", UTF-8 in one line expected");
+    }
+    characters.push_back(*character);
   }
-  if (!sound || code < 0x20 || code == 0x7f) {
-    throw Error("text: no character at byte " + std::to_string(at) +
-                ", UTF-8 in one line expected");
+  if (characters.empty() || characters.size() > kLongest) {
+    throw Error("text: " + std::to_string(characters.size()) + " characters, 1 to 256 expected");
   }
-  at += more + 1;
-  return code;
+  return characters;
 }
 
 struct Glyph {
@@ -120,11 +116,7 @@ std::vector<std::filesystem::path> fontFiles() {
 
 GreyImage drawText(const std::string& text, const TextOptions& options) {
   if (options.pixels < 8 || options.pixels > 1024) throw Error("text: pixels not in 8…1024");
-  std::vector<char32_t> characters;
-  for (std::size_t at = 0; at < text.size();) characters.push_back(nextCharacter(text, at));
-  if (characters.empty() || characters.size() > kLongest) {
-    throw Error("text: " + std::to_string(characters.size()) + " characters, 1 to 256 expected");
-  }
+  const std::vector<char32_t> characters = charactersOf(text);
   Font font(fontFor(options));
   if (FT_Set_Pixel_Sizes(font.face, 0, static_cast<FT_UInt>(options.pixels)) != 0) {
     throw Error("text: the font has no such size");

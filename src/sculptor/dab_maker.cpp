@@ -15,6 +15,7 @@ class BrushDabs final : public DabMaker<Side> {
   void extend(std::span<const StrokePoint> points) override { runner_.extend(points); }
   std::int64_t dabCount() const override { return runner_.dabCount(); }
   std::int64_t sureDabs() const override { return runner_.sureDabs(); }
+  std::string notice() const override { return runner_.placementNotice(); }
   DabReport dab(std::int64_t n) override { return runner_.dab(n); }
   std::vector<ChangedRun> finish() override { return {}; }
 
@@ -38,6 +39,7 @@ class StiffenDabs final : public DabMaker<Side> {
   void extend(std::span<const StrokePoint> points) override { runner_.extend(points); }
   std::int64_t dabCount() const override { return runner_.dabCount(); }
   std::int64_t sureDabs() const override { return runner_.sureDabs(); }
+  std::string notice() const override { return runner_.placementNotice(); }
   DabReport dab(std::int64_t n) override {
     DabReport report = runner_.dab(n);
     const std::vector<KeyRun> blocks(report.changed.begin(), report.changed.end());

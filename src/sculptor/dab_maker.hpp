@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "bozzetto/sculptor/workbench.hpp"
 #include "bozzetto/tool/stroke.hpp"
@@ -19,6 +20,8 @@ class DabMaker {
   virtual DabReport dab(std::int64_t n) = 0;
   /// After the last dab: whatever is not in the edit yet goes there; returns where.
   virtual std::vector<ChangedRun> finish() = 0;
+  /// What is made otherwise than asked for, by the points so far; may be empty.
+  virtual std::string notice() const { return {}; }
   /// Painted stiffness as it is after the last dab, where the maker changes it. Not while dabs go
   /// on unless somebody shows it: O(blocks painted).
   virtual std::optional<clay::Stiffness> stiffness() { return std::nullopt; }

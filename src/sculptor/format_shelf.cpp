@@ -1,15 +1,17 @@
 // What is done to the document's shelf, in JSON.
 #include "sculptor/operation_format.hpp"
 #include "sculptor/operation_json.hpp"
+#include "sculptor/tool_notes.hpp"
 
 namespace bozzetto {
 namespace {
 
-constexpr std::size_t kLongestName = 255;  // bytes; as scene files have it
+constexpr std::size_t kLongestTag = 255;  // bytes; as scene files have it
 
+// Of a tool to be; others are on the shelf or not.
 std::string readName(JsonObject& object, const char* key) {
   std::string name = object.text(key);
-  if (name.empty() || name.size() > kLongestName) object.fail(key, "a name of 1 to 255 bytes");
+  object.checked([&] { requireToolName(name); });
   return name;
 }
 
@@ -20,7 +22,7 @@ std::vector<std::string> readTags(JsonObject& object) {
   for (const Json& tag : list) {
     if (!tag.is_string()) object.fail("tags", "a list of words");
     tags.push_back(tag.get<std::string>());
-    if (tags.back().size() > kLongestName) object.fail("tags", "words of up to 255 bytes");
+    if (tags.back().size() > kLongestTag) object.fail("tags", "words of up to 255 bytes");
   }
   return tags;
 }
@@ -32,11 +34,9 @@ ShelfKeepOperation readKeep(JsonObject& object) {
   keep.source = readSource(object, "from");
   if (!object.has("preset")) return keep;
   const Json& list = object.required("preset");
-  if (!list.is_array()) object.fail("preset", "a list of operations");
-  for (const Json& line : list) {
-    JsonObject operation(line, object.where() + ": preset");
-    keep.preset.push_back(toText(operationFrom(operation)));
-  }
+  if (!list.is_array() || list.empty()) object.fail("preset", "a list of operations");
+  for (const Json& line : list)
+    keep.preset.push_back(toText(presetOperation(line, object.where(), keep.preset.size())));
   return keep;
 }
 
@@ -49,7 +49,7 @@ Json writeKeep(const ShelfKeepOperation& keep) {
 }
 
 ShelfRenameOperation readRename(JsonObject& object) {
-  ShelfRenameOperation rename{readName(object, "name"), readName(object, "to")};
+  ShelfRenameOperation rename{object.text("name"), readName(object, "to")};
   if (object.has("tags")) rename.tags = readTags(object);
   return rename;
 }
@@ -60,7 +60,7 @@ Json writeRename(const ShelfRenameOperation& rename) {
   return json;
 }
 
-ShelfDropOperation readDrop(JsonObject& object) { return {readName(object, "name")}; }
+ShelfDropOperation readDrop(JsonObject& object) { return {object.text("name")}; }
 Json writeDrop(const ShelfDropOperation& drop) { return {{"name", drop.name}}; }
 
 }  // namespace

@@ -92,12 +92,11 @@ Placement readPlacement(JsonObject& object) {
     const glm::dvec3 count = readVector(array, "count", {1, 1, 1});
     for (std::size_t a = 0; a < 3; ++a) {
       if (count[int(a)] != std::floor(count[int(a)])) array.fail("count", "three whole numbers");
-      placement.copies[a] = static_cast<int>(std::clamp(count[int(a)], 0.0, 1e6));
+      placement.copies[a] = static_cast<int>(std::clamp(count[int(a)], -1e9, 1e9));
     }
     placement.copyStep = readVector(array, "step", {0, 0, 0});
     array.done();
   }
-  object.checked([&] { requireValid(placement); });
   return placement;
 }
 
@@ -121,12 +120,11 @@ StrokeOperation readStroke(JsonObject& object) {
   Stroke stroke;
   stroke.points = readPoints(object);
   stroke.rotations = readRotations(object);
-  if (!stroke.rotations.empty() && stroke.rotations.size() != stroke.points.size())
-    object.fail("rotations", "as many rotations as points");
   stroke.spacing = object.number("spacing", 0.25);
   stroke.pressure = readPressureTargets(object);
   stroke.symmetry = readSymmetry(object);
   stroke.placement = readPlacement(object);
+  object.checked([&] { requireValid(stroke); });
   return {std::move(stroke)};
 }
 

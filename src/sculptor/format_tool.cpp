@@ -10,6 +10,7 @@ ToolOperation readFreeform(JsonObject& object) {
   tool.shape.scale = readVector(object, "scale", {1, 1, 1});
   tool.shape.rotation = readRotation(object);
   tool.source = readSource(object, "from");
+  object.checked([&] { requireValid(tool.shape); });
   return tool;
 }
 
@@ -45,6 +46,7 @@ ToolOperation readTool(JsonObject& object) {
       "profile", {{"wyvill", Profile::wyvill}, {"box", Profile::box}}, Profile::wyvill);
   tool.radii = readVector(object, "radii", {8, 8, 8});
   tool.rotation = readRotation(object);
+  object.checked([&] { requireValid(tool); });
   return {tool};
 }
 
@@ -62,13 +64,9 @@ Json writeTool(const ToolOperation& tool) {
           {"rotation", listOf(tool.shape.rotation)}};
 }
 
-ActionOperation readAction(JsonObject& object) {
+ActionOptions readOptions(JsonObject& object) {
   using enum ActionKind;
   ActionOptions action;
-  if (object.text("name") == "recall") {
-    action.strength = object.number("strength", 0.5);
-    return {action, readStep(object)};
-  }
   action.kind = object.choice<ActionKind>("name",
                                           {{"add", add},
                                            {"remove", remove},
@@ -89,7 +87,19 @@ ActionOperation readAction(JsonObject& object) {
   action.colour = readColour(object);
   action.ownColours = object.flag("own_colours", false);
   if (action.kind == stamp) action.stamp = readStamp(object);
-  return {action, std::nullopt};
+  return action;
+}
+
+ActionOperation readAction(JsonObject& object) {
+  ActionOperation operation;
+  if (object.text("name") == "recall") {
+    operation.action.strength = object.number("strength", 0.5);
+    operation.recall = readStep(object);
+  } else {
+    operation.action = readOptions(object);
+  }
+  object.checked([&] { requireValid(operation.action); });
+  return operation;
 }
 
 Json writeAction(const ActionOperation& operation) {

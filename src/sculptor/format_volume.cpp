@@ -17,10 +17,10 @@ Lasso readLasso(JsonObject& region) {
   }
   JsonObject view(region.required("view"), region.where() + ": view");
   lasso.eye = readRequiredVector(view, "eye");
-  lasso.worldFromView = normalisedRotation(readRotation(view));
+  const glm::dquat rotation = readRotation(view);
+  view.checked([&] { lasso.worldFromView = normalisedRotation(rotation); });
   lasso.rays = view.flag("parallel", false) ? LassoRays::parallel : LassoRays::fromEye;
   view.done();
-  region.checked([&] { requireValid(lasso); });
   return lasso;
 }
 
@@ -34,9 +34,8 @@ WorldRegion readRegion(JsonObject& object) {
     region.low = readRequiredVector(json, "min");
     region.high = readRequiredVector(json, "max");
   }
-  for (int axis = 0; axis < 3; ++axis)
-    if (region.low[axis] > region.high[axis]) object.fail("region: 'min' not above 'max' expected");
   json.done();
+  object.checked([&] { requireValid(region); });
   return region;
 }
 

@@ -37,6 +37,11 @@ std::int64_t LiveStroke<Side>::plannedDabs() const {
 }
 
 template <int Side>
+std::string LiveStroke<Side>::notice() const {
+  return maker_->notice();
+}
+
+template <int Side>
 bool LiveStroke<Side>::dab() {
   if (report_.dabs >= maker_->sureDabs()) return false;
   makeDab();

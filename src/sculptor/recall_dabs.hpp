@@ -16,6 +16,7 @@ class RecallDabs final : public DabMaker<Side> {
   void extend(std::span<const StrokePoint> points) override { weights_.extend(points); }
   std::int64_t dabCount() const override { return weights_.dabCount(); }
   std::int64_t sureDabs() const override { return weights_.sureDabs(); }
+  std::string notice() const override { return weights_.placementNotice(); }
   DabReport dab(std::int64_t n) override;
   std::vector<ChangedRun> finish() override { return {}; }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "sculptor/run.hpp"
+#include "sculptor/tool_notes.hpp"
 
 namespace bozzetto {
 namespace {
@@ -45,9 +46,10 @@ ShelfTool toolFrom(const ToolSource& source, Workbench<Side>& bench, const Telli
 
 template <int Side>
 void run(const ShelfKeepOperation& operation, Workbench<Side>& bench, const Telling& telling) {
+  requireToolName(operation.name);
   std::vector<Operation> preset;
   for (const std::string& line : operation.preset)
-    preset.push_back(parseOperation(line, "shelf_keep: preset"));
+    preset.push_back(presetOperation(parseJson(line, "shelf_keep"), "shelf_keep", preset.size()));
   ShelfTool tool;
   if (!standsAlone(preset, operation.source, bench.field().tree.empty()))
     tool = toolFrom(operation.source, bench, telling);
@@ -67,6 +69,7 @@ void run(const ShelfKeepOperation& operation, Workbench<Side>& bench, const Tell
 
 template <int Side>
 void run(const ShelfRenameOperation& operation, Workbench<Side>& bench, const Telling&) {
+  requireToolName(operation.to);
   const auto item = itemNamed(bench.tools, operation.name);
   const bool taken = std::ranges::count(bench.tools.shelf, operation.to, &ShelfItem::name) > 0;
   if (taken && operation.to != operation.name)

@@ -14,6 +14,8 @@ void run(const StrokeOperation& operation, Workbench<Side>& bench, const Telling
     const std::string idle = clay::idleIn(operation.stroke, clayRoleOf(kind), bench.clay.settings);
     if (!idle.empty()) telling.progress.note(idle);
   }
+  const std::string notice = stroke.notice();
+  if (!notice.empty()) telling.progress.note(notice);
   const auto count = static_cast<double>(stroke.plannedDabs());
   for (double n = 0; stroke.dab(); ++n) telling.progress.step("stroke", n / count);
   telling.report = stroke.finish();

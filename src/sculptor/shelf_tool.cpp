@@ -17,8 +17,31 @@ namespace {
 
 constexpr const char* kSetting = "tool";
 constexpr std::uint32_t kLongestNotes = 1 << 20;
+constexpr std::size_t kLongestName = 255;  // bytes: of shelf items, and of files
 
 }  // namespace
+
+bool isOfPreset(const Operation& operation) {
+  return std::holds_alternative<ToolOperation>(operation) ||
+         std::holds_alternative<ActionOperation>(operation) ||
+         std::holds_alternative<StrokeOperation>(operation) ||
+         std::holds_alternative<ClayOperation>(operation);
+}
+
+void requireOfPreset(const Operation& operation) {
+  if (!isOfPreset(operation))
+    throw Error(std::string(nameOf(operation)) + " found, tool, action, stroke or clay expected");
+  const auto* doing = std::get_if<ActionOperation>(&operation);
+  if (doing != nullptr && doing->recall)
+    throw Error("action recall found, one that every document can do expected");
+}
+
+Operation presetOperation(const Json& json, const std::string& where, std::size_t n) {
+  JsonObject object(json, where + ": operation " + std::to_string(n + 1) + " of the preset");
+  Operation operation = operationFrom(object);
+  object.checked([&] { requireOfPreset(operation); });
+  return operation;
+}
 
 // Everything but name, tags of shelf items, clay and thumbnail.
 Json notesOf(const ShelfTool& tool) {
@@ -44,10 +67,10 @@ void readNotes(const Json& json, const std::string& where, ShelfTool& tool) {
   if (notes.has("pivot")) tool.pivot = readVector(notes, "pivot", {});
   if (notes.has("contact")) tool.contact = readVector(notes, "contact", {});
   if (notes.has("preset")) {
-    for (const Json& line : notes.required("preset")) {
-      JsonObject operation(line, where + ": preset");
-      tool.preset.push_back(operationFrom(operation));
-    }
+    const Json& lines = notes.required("preset");
+    if (!lines.is_array() || lines.empty()) notes.fail("preset", "a list of operations");
+    for (const Json& line : lines)
+      tool.preset.push_back(presetOperation(line, where, tool.preset.size()));
   }
   notes.done();
 }
@@ -140,10 +163,23 @@ std::filesystem::path userToolFolder() {
   return (data.is_absolute() ? data : setting("HOME") / ".local/share") / "bozzetto/tools";
 }
 
+void requireToolName(const std::string& name) {
+  const std::string expected = " found, 1 to 255 bytes expected";
+  if (name.empty() || name.size() > kLongestName)
+    throw Error("tool name: " + std::to_string(name.size()) + " bytes" + expected);
+  if (!isOneLine(name)) throw Error("tool name: found other than one line of UTF-8, that expected");
+  if (name.front() == ' ' || name.back() == ' ')
+    throw Error("tool name: '" + name + "' found, one without blanks at its ends expected");
+}
+
 std::filesystem::path userToolFile(const std::string& name) {
-  const auto unfit = [](char c) { return c == '/' || c == 127 || (c >= 0 && c < ' '); };
-  if (name.empty() || name.front() == '.' || std::any_of(name.begin(), name.end(), unfit))
-    throw Error("'" + name + "': a name that files can have expected");
+  constexpr std::string_view kEnd = ".bzt";
+  requireToolName(name);
+  if (name.front() == '.' || name.find('/') != name.npos)
+    throw Error("tool name: '" + name + "' found, a name that files can have expected");
+  if (name.size() + kEnd.size() > kLongestName)
+    throw Error("tool name: " + std::to_string(name.size()) +
+                " bytes found, at most 251 expected: files' names hold no more");
   return userToolFolder() / (name + ".bzt");
 }
 

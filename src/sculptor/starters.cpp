@@ -69,6 +69,11 @@ std::vector<ToolEntry> starterTools() {
   return entries;
 }
 
+bool isStarter(const std::string& name) {
+  return std::ranges::any_of(starters(),
+                             [&](const Starter& each) { return each.notes.name == name; });
+}
+
 ShelfTool makeStarter(const std::string& name, Progress& progress) {
   const auto& all = starters();
   const auto found =

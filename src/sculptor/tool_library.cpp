@@ -68,7 +68,8 @@ ShelfTool letters(const fs::path& folder, const ToolSource& source) {
   const GreyImage image = drawText(source.text, options);
   const double width = image.width * source.letterSize / options.pixels;
   ShelfTool tool;
-  tool.name = source.text;
+  const std::size_t first = source.text.find_first_not_of(' ');
+  tool.name = source.text.substr(first, source.text.find_last_not_of(' ') + 1 - first);
   tool.clay = standingText(image, {width, source.letterDepth, source.letterSize / 64, {}});
   tool.pivot = glm::dvec3(0);
   return tool;
@@ -138,27 +139,16 @@ ShelfTool ToolLibrary::find(const std::string& name, Progress& progress) const {
   if (item != shelf.end()) return fromItem(*item);
   const fs::path file = fileIn(userToolFolder(), name);
   std::error_code ignored;
-  if (!file.empty() && fs::exists(file, ignored)) return loadTool(file, progress);
-  const auto starters = starterTools();
-  if (std::ranges::find(starters, name, &ToolEntry::name) != starters.end())
-    return makeStarter(name, progress);
+  if (!file.empty() && fs::exists(file, ignored)) {
+    if (isStarter(name))
+      progress.note("shelf:" + name + ": the user's library has one, the starter is not meant");
+    return loadTool(file, progress);
+  }
+  if (isStarter(name)) return makeStarter(name, progress);
   throw Error(
       fmt::format("no tool is called '{}': neither on the document's shelf, nor in {}, nor "
                   "among the starters",
                   name.substr(0, 40), userToolFolder().string()));
-}
-
-void requireValid(const ToolSource& source) {
-  const auto require = [](double number, double low, double high, const char* what) {
-    if (number >= low && number <= high) return;
-    throw Error(fmt::format("tool {}: {:g} found, a number in {:g} to {:g} expected", what, number,
-                            low, high));
-  };
-  require(source.cells, 4, 4096, "cells");
-  require(source.width, 1e-3, 1e6, "width");
-  require(source.height, 1e-3, 1e6, "height");
-  require(source.letterSize, 1e-3, 1e6, "size");
-  require(source.letterDepth, 1e-3, 1e6, "depth");
 }
 
 ShelfTool ToolLibrary::load(const ToolSource& source, Progress& progress) const {
@@ -214,6 +204,23 @@ Clay patchOf(const Clay& clay, const PatchSource& patch, SculptureOptions& optio
   return standing;
 }
 
+std::string extentOf(const Clay& clay) {
+  const KeyBox box = boundsOf(clay);
+  const auto place = [&](Key key) {
+    return toText(glm::dvec3(key.i, key.j, key.k) * clay.scale.spacing);
+  };
+  return place(box.low) + " to " + place(box.high);
+}
+
+// Of a source without clay, or without any in what was asked for.
+std::string whyEmpty(const ShelfTool& tool, const ToolSource& source) {
+  const std::string what = source.from.empty() ? "the clay" : source.from;
+  if (tool.clay.tree.empty())
+    return what + (tool.preset.empty() ? "" : " is a preset and") + " holds no clay";
+  const char* part = !source.patch ? "region" : source.region ? "patch of that region" : "patch";
+  return what + " holds no clay in the " + part + "; it has some from " + extentOf(tool.clay);
+}
+
 }  // namespace
 
 std::shared_ptr<const Sculpture> sculptureOf(const ShelfTool& tool, const ToolSource& source) {
@@ -225,11 +232,7 @@ std::shared_ptr<const Sculpture> sculptureOf(const ShelfTool& tool, const ToolSo
   if (source.patch) clay = patchOf(clay, *source.patch, options);
   if (source.pivot) options.pivot = source.pivot;
   if (source.contact) options.contact = *source.contact;
-  if (clay.tree.empty()) {
-    const std::string what = source.from.empty() ? "the clay" : source.from;
-    throw Error("freeform tool: " + what + (tool.preset.empty() ? "" : " is a preset and") +
-                " holds no clay" + (source.region || source.patch ? " there" : ""));
-  }
+  if (clay.tree.empty()) throw Error("freeform tool: " + whyEmpty(tool, source));
   return std::make_shared<Sculpture>(std::move(clay), options);
 }
 

@@ -71,6 +71,26 @@ double Lasso::share(const glm::dvec3& place, double cell) const {
   return std::clamp(0.5 + inside / (2 * cell), 0.0, 1.0);
 }
 
+namespace {
+
+// No point is further from the line through the two that lie furthest along it than rounding.
+bool onOneLine(const std::vector<glm::dvec2>& outline) {
+  const auto from = [](const glm::dvec2& a) {
+    return [a](const glm::dvec2& p, const glm::dvec2& q) {
+      return glm::length(p - a) < glm::length(q - a);
+    };
+  };
+  const glm::dvec2 first = outline.front();
+  const glm::dvec2 far = *std::ranges::max_element(outline, from(first)) - first;
+  const double square = glm::dot(far, far);
+  return std::ranges::all_of(outline, [&](const glm::dvec2& point) {
+    const glm::dvec2 away = point - first;
+    return std::abs(far.x * away.y - far.y * away.x) <= 1e-9 * square;
+  });
+}
+
+}  // namespace
+
 void requireValid(const Lasso& lasso) {
   const std::size_t count = lasso.outline.size();
   if (count < 3 || count > kMostPoints)
@@ -79,6 +99,9 @@ void requireValid(const Lasso& lasso) {
   glm::dvec3 sum = lasso.eye;
   for (const glm::dvec2& point : lasso.outline) sum += glm::dvec3(point, 0);
   if (!std::isfinite(sum.x + sum.y + sum.z)) throw Error("lasso: found a place that is not finite");
+  if (onOneLine(lasso.outline))
+    throw Error("lasso: " + std::to_string(count) +
+                " points on one line found, an outline round something expected");
 }
 
 Coverage coverageOf(const Lasso& lasso, const glm::dvec3& centre, double radius) {

@@ -8,6 +8,7 @@
 
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/field/block_cache.hpp"
+#include "bozzetto/tool/relative.hpp"
 #include "bozzetto/tool/sculpture.hpp"
 
 namespace bozzetto {
@@ -146,8 +147,10 @@ Vote voteOf(const Clay& clay, const KeyBox& box, Side side) {
 Clay standingOn(const Clay& clay, const ClayPlane& plane) {
   const double length = glm::length(plane.normal);
   const double far = glm::length(plane.at);
-  if (!(length > 1e-9) || !std::isfinite(length) || !std::isfinite(far))
-    throw Error("patch: the plane's place or normal is none");
+  if (!std::isfinite(far))
+    throw Error("patch: plane at " + toText(plane.at) + " found, a place expected");
+  if (!(length > 1e-9) || !std::isfinite(length))
+    throw Error("patch: normal " + toText(plane.normal) + " found, a direction expected");
   const Heights heights(plane, clay.scale.spacing);
   const double reach = 3.5 * std::sqrt(3.0);
   Clay part;

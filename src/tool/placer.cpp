@@ -93,11 +93,16 @@ void requireValid(const Placement& placement) {
     const int count = placement.copies[std::size_t(axis)];
     const double step = placement.copyStep[axis];
     copies *= count;
-    if (count < 1 || copies > kMostCopies) throw Error("stroke copies: 1 to 4096 expected");
-    if (!std::isfinite(step)) throw Error("stroke copies: step is not finite");
+    const std::string on = std::string(" found on axis ") + "xyz"[axis];
+    if (count < 1)
+      throw Error("stroke copies: " + std::to_string(count) + on + ", 1 to 4096 expected");
+    if (copies > kMostCopies)
+      throw Error("stroke copies: " + numberText(copies) + " found, at most 4096 expected");
+    if (!std::isfinite(step))
+      throw Error("stroke copies: step " + numberText(step) + on + ", a finite number expected");
     if (count > 1 && step == 0)
-      throw Error(std::string("stroke copies: step 0 on axis ") + "xyz"[axis] +
-                  " found, another number expected where there is more than one");
+      throw Error("stroke copies: step 0" + on +
+                  ", another number expected where there is more than one");
   }
 }
 
@@ -110,7 +115,6 @@ Placer<Side>::Placer(const Placement& placement, const ToolShape& tool, const Fi
       radii_(tool.radii),
       origin_(origin),
       spacing_(field.scale.spacing) {
-  requireValid(placement);
   if (placement.toNormal) before_ = field;
   for (int i = 0; i < placement.copies[0]; ++i)
     for (int j = 0; j < placement.copies[1]; ++j)
@@ -163,6 +167,20 @@ glm::dmat3 Placer<Side>::turned(const glm::dvec3& position, const glm::dvec3& he
 }
 
 template <int Side>
+double Placer<Side>::grown(const glm::dvec3& way) const {
+  const double length = glm::length(way);
+  return placement_.anchored && length > 0 ? length / largest(radii_) : 1;
+}
+
+template <int Side>
+std::string Placer<Side>::notice(const StrokePath& path) const {
+  const double wanted = grown(heading(path, 0)), most = mostGrown(radii_);
+  if (wanted <= most) return "";
+  return "anchored stroke: a tool of " + numberText(wanted * largest(radii_)) +
+         " cells asked for, made as large as tools can be: " + numberText(most * largest(radii_));
+}
+
+template <int Side>
 void Placer<Side>::roll(double along, const glm::dvec3& heading, Standing& standing) const {
   const glm::dvec3 outward = -(standing.orientation * contact_);
   const glm::dvec3 axis = glm::cross(outward, heading);
@@ -210,8 +228,7 @@ Standing Placer<Side>::at(const StrokePath& path, std::int64_t n) const {
   const glm::dvec3 way = heading(path, n);
   standing.orientation = turned(standing.position, way);
   if (placement_.roll != 0) roll(static_cast<double>(n) * path.step(), way, standing);
-  if (placement_.anchored && glm::length(way) > 0)
-    standing.factor = std::min(glm::length(way) / largest(radii_), mostGrown(radii_));
+  if (placement_.anchored) standing.factor = std::min(grown(way), mostGrown(radii_));
   scatter(n, standing);
   return standing;
 }

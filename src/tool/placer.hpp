@@ -28,11 +28,14 @@ class Placer {
   std::int64_t countOf(std::int64_t dabs) const { return placement_.anchored ? 1 : dabs; }
   /// How many of the first dabs stay as they are however the stroke goes on.
   std::int64_t sureOf(std::int64_t dabs) const;
+  /// What is made otherwise than asked for; empty when nothing is.
+  std::string notice(const StrokePath& path) const;
 
  private:
   glm::dvec3 heading(const StrokePath& path, std::int64_t n) const;
   std::optional<glm::dvec3> normalAt(const glm::dvec3& position) const;
   glm::dmat3 turned(const glm::dvec3& position, const glm::dvec3& heading) const;
+  double grown(const glm::dvec3& way) const;  // by the gesture, × its own size
   void roll(double along, const glm::dvec3& heading, Standing& standing) const;
   void scatter(std::int64_t n, Standing& standing) const;
   glm::dvec3 snapped(const glm::dvec3& position) const;

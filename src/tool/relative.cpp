@@ -1,7 +1,6 @@
 #include "bozzetto/tool/relative.hpp"
 
 #include <cmath>
-#include <string>
 
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/base/text.hpp"
@@ -19,6 +18,11 @@ Key cellOf(const glm::dvec3& position, double spacing, std::string_view what) {
     cell[axis] = static_cast<std::int32_t>(cells);
   }
   return cell;
+}
+
+std::string toText(const glm::dvec3& numbers) {
+  return "[" + numberText(numbers.x) + ", " + numberText(numbers.y) + ", " + numberText(numbers.z) +
+         "]";
 }
 
 glm::dvec3 relativeTo(Key origin, const glm::dvec3& position, double spacing) {

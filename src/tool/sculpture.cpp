@@ -8,6 +8,7 @@
 
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/field/resample.hpp"
+#include "bozzetto/tool/relative.hpp"
 #include "tool/freeform.hpp"
 #include "tool/sculpted_solid.hpp"
 
@@ -165,12 +166,13 @@ Sculpture::Sculpture(Clay clay, const SculptureOptions& options)
   }
   const glm::dvec3 contact = options.contact;
   if (!finite(contact) || !(glm::length(contact) > 1e-9)) {
-    throw Error("freeform tool: contact is no direction");
+    throw Error("freeform tool: contact " + toText(contact) + " found, a direction expected");
   }
   contact_ = glm::normalize(contact);
   if (options.pivot) pivot_ = *options.pivot / clay_.scale.spacing - centre();
   if (!finite(pivot_) || glm::length(pivot_) > 2.0 * kWorkspaceRim) {
-    throw Error("freeform tool: its pivot lies beyond the workspace");
+    throw Error("freeform tool: pivot " + toText(*options.pivot) +
+                " found, a place in the workspace of ±2^30 cells expected");
   }
 }
 

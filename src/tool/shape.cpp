@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "bozzetto/base/axis.hpp"
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/base/text.hpp"
 #include "bozzetto/tool/sculpture.hpp"
@@ -41,11 +42,27 @@ glm::dquat normalisedRotation(const glm::dquat& rotation) {
   return rotation / length;
 }
 
-glm::dvec3 freeformRadii(const Sculpture& sculpture, const glm::dvec3& scale) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (scale[axis] > 0 && std::isfinite(scale[axis])) continue;
-    throw Error("tool scale: " + numberText(scale[axis]) + " found, a number above 0 expected");
+namespace {
+
+void requireAboveZero(const glm::dvec3& numbers, const char* what) {
+  for (const Axis axis : kAxes) {
+    const double number = numbers[index(axis)];
+    if (number > 0 && std::isfinite(number)) continue;
+    throw Error(std::string("tool ") + what + ": " + numberText(number) + " found on axis " +
+                "xyz"[index(axis)] + ", a number above 0 expected");
   }
+}
+
+}  // namespace
+
+void requireValid(const ToolShape& shape) {
+  const bool sculpted = shape.shape == Shape::freeform;
+  requireAboveZero(sculpted ? shape.scale : shape.radii, sculpted ? "scale" : "radius");
+  normalisedRotation(shape.rotation);
+}
+
+glm::dvec3 freeformRadii(const Sculpture& sculpture, const glm::dvec3& scale) {
+  requireAboveZero(scale, "scale");
   return sculpture.halfExtents() * (scale * sculpture.scale().spacing);
 }
 
@@ -66,13 +83,14 @@ ToolShape withOwnRadii(ToolShape shape, double spacing) {
 }  // namespace
 
 FittedTool fitTool(const ToolShape& asked, double spacing) {
+  requireValid(asked);
   const ToolShape shape = withOwnRadii(asked, spacing);
   FittedTool fitted{shape, {}};
   fitted.shape.rotation = normalisedRotation(shape.rotation);
   double smallest = shape.radii[0] / spacing, corners = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const double cells = shape.radii[axis] / spacing;
-    if (!(cells > 0) || !(cells <= kLargestToolCells)) {
+    if (!(cells <= kLargestToolCells)) {
       throw Error("tool radius: " + numberText(shape.radii[axis]) + " found, a number in 0 < r ≤ " +
                   numberText(kLargestToolCells * spacing) + " (4096 cells) expected");
     }

@@ -11,16 +11,22 @@
 #include "tool/placer.hpp"
 
 namespace bozzetto {
-namespace {
-
 void requireValid(const Stroke& stroke) {
-  if (stroke.points.empty()) throw Error("stroke: no points found, at least one expected");
+  const std::size_t points = stroke.points.size(), rotations = stroke.rotations.size();
+  if (points == 0) throw Error("stroke: no points found, at least one expected");
+  if (rotations != 0 && rotations != points) {
+    throw Error("stroke: " + std::to_string(rotations) + " rotations found, " +
+                std::to_string(points) + " expected, one a point");
+  }
   if (!(stroke.spacing > 0) || !std::isfinite(stroke.spacing)) {
     throw Error("stroke spacing: " + numberText(stroke.spacing) +
                 " found, a number above 0 expected");
   }
   requireValid(stroke.symmetry);
+  requireValid(stroke.placement);
 }
+
+namespace {
 
 // Blocks of a report, before those listed twice are thrown out.
 constexpr std::size_t kMostListed = std::size_t{1} << 17;
@@ -89,6 +95,11 @@ std::unique_ptr<Potential> StrokeRunner<Side>::potentialOf(const ToolShape& tool
 template <int Side>
 std::int64_t StrokeRunner<Side>::sureDabs() const {
   return placer_->sureOf(path_->sure());
+}
+
+template <int Side>
+std::string StrokeRunner<Side>::placementNotice() const {
+  return placer_->notice(*path_);
 }
 
 template <int Side>

@@ -11,33 +11,17 @@ namespace bozzetto {
 namespace {
 
 using testing::CommandFolder;
+using testing::infoOf;
+using testing::kBall;
+using testing::kHeader;
 using testing::Outcome;
 using testing::runProgram;
-
-const std::string kHeader = "{\"bozzetto\":\"recording\",\"version\":1}\n";
-const std::string kBall = kHeader +
-                          "{\"op\":\"fill\",\"radii\":[16,16,16]}\n"
-                          "{\"op\":\"tool\",\"radii\":[6,6,6]}\n"
-                          "{\"op\":\"stroke\",\"points\":[[16,0,0],[0,16,0]]}\n";
+using testing::sceneOf;
 
 // A cube of side 2 in OFF.
 const std::string kCube =
     "OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n"
     "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 2 3 7 6\n4 1 2 6 5\n4 0 4 7 3\n";
-
-nlohmann::json infoOf(const std::string& scene) {
-  const Outcome outcome = runProgram("info " + scene + " --json");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  return nlohmann::json::parse(outcome.out);
-}
-
-std::string sceneOf(const CommandFolder& folder, const std::string& recording,
-                    const std::string& options = "") {
-  const std::string file = folder.write("r.jsonl", recording), scene = folder / "s.bzt";
-  const Outcome outcome = runProgram("replay " + file + " -o " + scene + " " + options);
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  return scene;
-}
 
 TEST(Cli, importsACubeWhereItIs) {
   const CommandFolder folder;
@@ -301,96 +285,6 @@ TEST(Cli, memoryThatEndsLeavesTheOldScene) {
 
 TEST(Cli, aDiskThatFillsLeavesTheOldScene) {
   expectTheOldSceneStays(90, "large", testing::runLimited, 16);
-}
-
-TEST(Cli, toolsHaveNamesThatFilesCanHave) {
-  const CommandFolder folder;
-  const std::string scene = sceneOf(folder, kBall), out = " -o " + (folder / "t.bzt");
-  for (const char* name : {"../evil", "''", ".hidden", "\"$(printf 'a\\tb')\""}) {
-    const Outcome outcome = runProgram("tool make " + scene + " --name " + name + out);
-    EXPECT_EQ(outcome.code, 1) << name;
-    EXPECT_NE(outcome.err.find("a name that files can have"), std::string::npos) << outcome.err;
-  }
-  EXPECT_EQ(runProgram("tool make --text A/B -o " + (folder / "ab.bzt")).code, 0) << "its own file";
-  EXPECT_EQ(runProgram("tool make " + scene + " --region nan 1 1 2 2 2" + out).code, 1);
-  EXPECT_EQ(folder.listing(), "ab.bzt r.jsonl s.bzt");
-}
-
-TEST(Cli, toolsAreNotReplacedUnasked) {
-  const CommandFolder folder;
-  const std::string scene = sceneOf(folder, kBall), tool = folder / "t.bzt";
-  const std::string make = "tool make " + scene + " -o ";
-  ASSERT_EQ(runProgram(make + tool + " --tags first").code, 0);
-  const Outcome again = runProgram(make + tool);
-  EXPECT_EQ(again.code, 1);
-  EXPECT_NE(again.err.find("--replace"), std::string::npos) << again.err;
-  EXPECT_NE(runProgram("tool show " + tool).out.find("first"), std::string::npos);
-  EXPECT_EQ(runProgram(make + tool + " --replace --tags second").code, 0);
-  EXPECT_NE(runProgram("tool show " + tool).out.find("second"), std::string::npos);
-  EXPECT_EQ(runProgram(make + (folder / "t.png")).code, 1) << "no name of a tool";
-  for (const std::string& out : {tool, scene, folder / "t.jpg"}) {
-    EXPECT_EQ(runProgram("tool render " + tool + " " + out).code, 1) << out;
-    EXPECT_EQ(runProgram("render " + scene + " " + out).code, 1) << out;
-  }
-  EXPECT_EQ(runProgram("check " + tool).code, 0);
-  EXPECT_EQ(runProgram("check " + scene).code, 0);
-  EXPECT_EQ(folder.listing(), "r.jsonl s.bzt t.bzt");
-}
-
-TEST(Cli, toolsHaveSizesThatToolsCanHave) {
-  const CommandFolder folder;
-  const std::string out = " -o " + (folder / "t.bzt");
-  for (const char* wrong : {"--size 1e9", "--size 0", "--depth 1e30", "--depth nan"}) {
-    const Outcome outcome = runProgram("tool make --text A " + std::string(wrong) + out);
-    EXPECT_EQ(outcome.code, 1) << wrong;
-    EXPECT_NE(outcome.err.find("expected"), std::string::npos) << outcome.err;
-  }
-  EXPECT_EQ(folder.listing(), "");
-}
-
-TEST(Cli, aPresetStandsAlone) {
-  const CommandFolder folder;
-  folder.write("p.jsonl", kHeader +
-                              "{\"op\":\"tool\",\"shape\":\"box\",\"radii\":[4,2,1]}\n"
-                              "{\"op\":\"action\",\"name\":\"remove\",\"strength\":0.25}\n");
-  const std::string tool = folder / "chisel.bzt";
-  const Outcome made = runProgram("tool make --preset " + (folder / "p.jsonl") + " -o " + tool);
-  ASSERT_EQ(made.code, 0) << made.err;
-  const auto json = nlohmann::json::parse(runProgram("tool show " + tool).out);
-  EXPECT_EQ(json["name"], "p");
-  EXPECT_EQ(json["preset"].size(), 2u);
-  EXPECT_EQ(json["preset"][0]["shape"], "box");
-  EXPECT_FALSE(json.contains("mass"));
-  EXPECT_EQ(runProgram("tool make -o " + (folder / "none.bzt")).code, 1);
-  folder.write("e.jsonl", kHeader + "{\"op\":\"fill\"}\n");
-  EXPECT_EQ(
-      runProgram("tool make --preset " + (folder / "e.jsonl") + " -o " + (folder / "x.bzt")).code,
-      1);
-  // On a shelf of a scene without clay, and of one with.
-  for (const char* clay : {"", "{\"op\":\"fill\"}\n"}) {
-    folder.write("k.jsonl",
-                 kHeader + clay +
-                     "{\"op\":\"shelf_keep\",\"name\":\"c\",\"preset\":[{\"op\":\"tool\","
-                     "\"shape\":\"capsule\"}]}\n");
-    const Outcome kept = runProgram("replay " + (folder / "k.jsonl") + " -o " + (folder / "k.bzt"));
-    EXPECT_EQ(kept.code, 0) << kept.err;
-  }
-}
-
-// A lasso that sees the right half of a ball.
-TEST(Cli, toolsAreMadeOfWhatALassoHolds) {
-  const CommandFolder folder;
-  const std::string scene = sceneOf(folder, kBall), tool = folder / "half.bzt";
-  const std::string lasso =
-      R"('{"lasso":[[0,-90],[90,-90],[90,90],[0,90]],"view":{"eye":[0,0,99],"parallel":true}}')";
-  const Outcome made = runProgram("tool make " + scene + " -o " + tool + " --lasso " + lasso);
-  ASSERT_EQ(made.code, 0) << made.err;
-  const auto whole = infoOf(scene), half = infoOf(tool);
-  EXPECT_NEAR(half["mass"].get<double>(), whole["mass"].get<double>() / 2,
-              whole["mass"].get<double>() / 10);
-  EXPECT_GT(half["bounds"]["min"][0].get<double>(), -1.5);
-  for (const char* wrong : {"'{}'", "nonsense", R"('{"lasso":[[0,0]],"view":{"eye":[0,0,9]}}')"})
-    EXPECT_EQ(runProgram("tool make " + scene + " -o " + tool + " --lasso " + wrong).code, 1);
 }
 
 }  // namespace

@@ -10,10 +10,12 @@ namespace bozzetto {
 namespace {
 
 using testing::CommandFolder;
+using testing::infoOf;
+using testing::jsonOf;
+using testing::kHeader;
 using testing::Outcome;
 using testing::runProgram;
 
-const std::string kHeader = "{\"bozzetto\":\"recording\",\"version\":1}\n";
 const std::string kWork = kHeader +
                           "{\"op\":\"fill\",\"radii\":[12,12,12]}\n"
                           "{\"op\":\"tool\",\"radii\":[4,4,4]}\n"
@@ -21,13 +23,7 @@ const std::string kWork = kHeader +
                           "{\"op\":\"action\",\"name\":\"remove\"}\n"
                           "{\"op\":\"stroke\",\"points\":[[0,0,12],[0,12,0]]}\n";
 
-nlohmann::json jsonOf(const std::string& arguments) {
-  const Outcome outcome = runProgram(arguments + " --json");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  return nlohmann::json::parse(outcome.out);
-}
-
-std::string hashOf(const std::string& scene) { return jsonOf("info " + scene)["field_hash"]; }
+std::string hashOf(const std::string& scene) { return infoOf(scene)["field_hash"]; }
 
 class InPlace : public ::testing::Test {
  protected:

@@ -1,11 +1,13 @@
 #include "cli/program.hpp"
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <set>
 
 namespace bozzetto::testing {
@@ -61,5 +63,21 @@ std::string CommandFolder::listing() const {
   for (const std::string& name : names) list += (list.empty() ? "" : " ") + name;
   return list;
 }
+
+std::string sceneOf(const CommandFolder& folder, const std::string& recording,
+                    const std::string& options) {
+  const std::string file = folder.write("r.jsonl", recording), scene = folder / "s.bzt";
+  const Outcome outcome = runProgram("replay " + file + " -o " + scene + " " + options);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return scene;
+}
+
+nlohmann::json jsonOf(const std::string& arguments) {
+  const Outcome outcome = runProgram(arguments + " --json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return nlohmann::json::parse(outcome.out);
+}
+
+nlohmann::json infoOf(const std::string& scene) { return jsonOf("info " + scene); }
 
 }  // namespace bozzetto::testing

@@ -1,6 +1,7 @@
 // Runs the program as a user would and keeps what it says.
 #pragma once
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "support/folder.hpp"
@@ -38,5 +39,20 @@ class CommandFolder {
 };
 
 std::string textOf(const std::string& path);
+
+/// The first line of a recording.
+const std::string kHeader = "{\"bozzetto\":\"recording\",\"version\":1}\n";
+/// A ball with a stroke on it.
+const std::string kBall = kHeader +
+                          "{\"op\":\"fill\",\"radii\":[16,16,16]}\n"
+                          "{\"op\":\"tool\",\"radii\":[6,6,6]}\n"
+                          "{\"op\":\"stroke\",\"points\":[[16,0,0],[0,16,0]]}\n";
+
+/// What a recording makes, as s.bzt in the folder.
+std::string sceneOf(const CommandFolder& folder, const std::string& recording,
+                    const std::string& options = "");
+/// What the program prints, with --json.
+nlohmann::json jsonOf(const std::string& arguments);
+nlohmann::json infoOf(const std::string& scene);
 
 }  // namespace bozzetto::testing

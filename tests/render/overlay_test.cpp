@@ -6,10 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "bozzetto/render/offscreen.hpp"
 #include "bozzetto/render/png.hpp"
-#include "bozzetto/render/viewport.hpp"
-#include "loaded.hpp"
+#include "head_view.hpp"
 
 namespace bozzetto {
 namespace {
@@ -19,26 +17,11 @@ using namespace test;
 constexpr PixelRect kPlace{0, 0, 240, 180};
 
 // The head with overlays, as a moving frame shows them.
-struct View {
-  OffscreenContext context;
-  Target target{GL_RGBA8, kPlace.width, kPlace.height, Target::Depth::buffer};
-  Renderer renderer;
-  Viewport viewport{renderer};
-  ViewFrame frame;
-
-  View() {
-    theHead().upload(renderer);
-    const Shot shot = theHead().shot(kPlace.width, kPlace.height);
-    frame.camera = shot.camera;
-    frame.stage = shot.stage;
-    frame.place = kPlace;
-    viewport.fixQuality(Quality::light);
-  }
+struct View : HeadView {
+  View() : HeadView(kPlace, kPlace.width, kPlace.height) {}
   Image draw(const Overlays& overlays) {
-    target.bind();
-    viewport.draw(frame, overlays);
-    target.bind();
-    return readBack(kPlace);
+    HeadView::draw(overlays);
+    return picture();
   }
 };
 

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bozzetto/render/offscreen.hpp"
-#include "loaded.hpp"
+#include "head_view.hpp"
 
 namespace bozzetto {
 namespace {
@@ -14,32 +13,8 @@ using ClayFrame = FrameReport::Clay;
 constexpr PixelRect kPlace{24, 16, 160, 120};
 
 // A window of a kind: a framebuffer larger than the view, with a renderer that has the head.
-struct Window {
-  OffscreenContext context;
-  Target target{GL_RGBA8, 200, 150, Target::Depth::buffer};
-  Renderer renderer;
-  Viewport viewport{renderer};
-  ViewFrame frame;
-
-  Window() {
-    theHead().upload(renderer);
-    const Shot shot = theHead().shot(kPlace.width, kPlace.height);
-    frame.camera = shot.camera;
-    frame.stage = shot.stage;
-    frame.place = kPlace;
-    viewport.fixQuality(Quality::light);
-    target.bind();
-    glClearColor(1, 0, 1, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-  }
-  FrameReport draw(const Overlays& overlays = {}) {
-    target.bind();
-    return viewport.draw(frame, overlays);
-  }
-  Image picture() {
-    target.bind();
-    return readBack(kPlace);
-  }
+struct Window : HeadView {
+  Window() : HeadView(kPlace, 200, 150) {}
   void rest() {
     for (int n = 0; n < 1000 && !draw().settled; ++n) frame.now += .5;
   }

@@ -97,6 +97,18 @@ TEST_F(Tools, whatIsWrongIsToldWithItsLine) {
         "{\"op\":\"tool\",\"shape\":\"freeform\",\"text\":\"A\",\"size\":1e9}",
         "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"a.png\",\"width\":1e30}",
         "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"roll\":1e300}",
+        "{\"op\":\"cut\",\"region\":{\"lasso\":[[0,0],[1,1],[3,3]],\"view\":{\"eye\":[0,0,0]}}}",
+        "{\"op\":\"cut\",\"region\":{\"lasso\":[[0,0],[1,1],[0,1]],\"view\":{\"eye\":[0,0,0],"
+        "\"rotation\":[0,0,0,0]}}}",
+        "{\"op\":\"cut\",\"region\":{\"min\":[0,0,0],\"max\":[1,0,1]}}",
+        "{\"op\":\"tool\",\"shape\":\"freeform\",\"contact\":[0,0,0]}",
+        "{\"op\":\"tool\",\"shape\":\"freeform\",\"scale\":[1,0,1]}",
+        "{\"op\":\"tool\",\"rotation\":[0,0,0,0]}",
+        "{\"op\":\"action\",\"name\":\"add\",\"strength\":1.5}",
+        "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"rotations\":[[1,0,0,0],[1,0,0,0]]}",
+        "{\"op\":\"shelf_keep\",\"name\":\" \"}",
+        "{\"op\":\"shelf_keep\",\"name\":\"c\",\"preset\":[]}",
+        "{\"op\":\"shelf_keep\",\"name\":\"c\",\"preset\":[{\"op\":\"fill\"}]}",
         "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"array\":{\"count\":[0,1,1],\"step\":[1,1,1]}}",
         "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"array\":{\"count\":[1.5,1,1],\"step\":[1,1,1]}}",
         "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"array\":{\"count\":[2,1,1],\"step\":[0,1,1]}"
@@ -173,6 +185,47 @@ TEST_F(Tools, shelfItemsAndFilesKeepEverything) {
   plain.thumbnail.clear();
   saveTool(folder_ / "knob.bzt", plain);
   expectSame(loadTool(folder_ / "knob.bzt"), plain);
+}
+
+// As files from strangers may be.
+TEST_F(Tools, presetsThatNoReplayWouldTakeAreNotRead) {
+  ShelfTool tool = sample();
+  tool.thumbnail.clear();
+  for (const auto& [line, told] : {
+           std::pair("{\"op\":\"action\",\"name\":\"add\",\"strength\":0.25}", ""),
+           std::pair("{\"op\":\"fill\"}", "fill found, tool, action, stroke or clay expected"),
+       }) {
+    tool.preset.push_back(parseOperation(line, "test"));
+    saveTool(folder_ / "t.bzt", tool);
+    const std::string start = (folder_ / "t.bzt").string() + ": operation 3 of the preset: ";
+    try {
+      EXPECT_EQ(loadTool(folder_ / "t.bzt").preset.size(), 2u);
+      EXPECT_EQ(fromItem(toItem(tool)).preset.size(), 2u);
+      EXPECT_EQ(std::string(told), "");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), start + told);
+    }
+  }
+  tool.preset = {StrokeOperation{}};
+  EXPECT_THROW(fromItem(toItem(tool)), Error) << "a stroke without points";
+}
+
+TEST_F(Tools, anchoredStrokesBeyondTheLargestToolSaySo) {
+  struct Notes final : Progress {
+    void note(std::string_view text) override { last = text; }
+    std::string last;
+  } notes;
+  Sculptor sculptor;
+  StrokeOperation stroke;
+  stroke.stroke.placement.anchored = true;
+  stroke.stroke.points = {{{0, 0, 0}, 1}, {{20, 0, 0}, 1}};
+  sculptor.apply(stroke, notes);
+  EXPECT_EQ(notes.last, "");
+  const auto thin = parseOperation("{\"op\":\"tool\",\"radii\":[64,2,2]}", "test");
+  sculptor.apply(thin, notes);
+  stroke.stroke.points[1].position.x = 5000;
+  EXPECT_EQ(sculptor.begin(stroke.stroke)->notice(),
+            "anchored stroke: a tool of 5000 cells asked for, made as large as tools can be: 4096");
 }
 
 TEST_F(Tools, damagedShelfItemsAreRefused) {

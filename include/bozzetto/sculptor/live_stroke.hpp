@@ -32,6 +32,8 @@ class LiveStroke {
 
   /// Dabs of the stroke so far, made or not; symmetric images not counted.
   std::int64_t plannedDabs() const;
+  /// What of it is made otherwise than asked for; may be empty.
+  std::string notice() const;
   /// The stroke so far, as it will be recorded.
   const Stroke& stroke() const { return stroke_; }
 

@@ -23,6 +23,11 @@ struct ShelfTool {
   Bytes thumbnail;  ///< a PNG, or empty
 };
 
+/// Whether a preset may hold it: tool, action, stroke, clay.
+bool isOfPreset(const Operation& operation);
+/// Throws Error for others, and for actions that need a history.
+void requireOfPreset(const Operation& operation);
+
 /// The plain shape (ball, box …) that these operations put in the hand; null where it is none.
 const ToolShape* plainShapeOf(const std::vector<Operation>& preset);
 /// What pictures of it show: its clay, or of a preset its shape in its colour, a ball without one.
@@ -40,8 +45,11 @@ ShelfTool loadTool(const std::filesystem::path& path, Progress& progress = Progr
 
 /// $XDG_DATA_HOME/bozzetto/tools, or ~/.local/share/bozzetto/tools.
 std::filesystem::path userToolFolder();
-/// Where the user's tool of that name is, or would be. Throws Error for names that no file can have
-/// there: empty ones, hidden ones, with '/' or control characters.
+/// Throws Error for names that no shelf takes: empty ones, of more than 255 bytes, with blanks at
+/// their ends, control characters, or other than UTF-8.
+void requireToolName(const std::string& name);
+/// Where the user's tool of that name is, or would be. Throws Error for those and for names that no
+/// file can have there: hidden ones, with '/', of more than 251 bytes.
 std::filesystem::path userToolFile(const std::string& name);
 
 /// What the list of a shelf shows.
@@ -57,6 +65,9 @@ bool matches(const ToolEntry& entry, std::string_view query);
 
 /// Names and tags of the starter library.
 std::vector<ToolEntry> starterTools();
+/// Whether one is called so: a tool of the user's would take its place in recordings that say
+/// `shelf:NAME`. Whoever makes one asks first.
+bool isStarter(const std::string& name);
 /// Replays a starter's recording. Throws Error when there is none of that name.
 ShelfTool makeStarter(const std::string& name, Progress& progress = Progress::none());
 

@@ -19,6 +19,9 @@ struct WorldRegion {
   static constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 };
 
+/// Throws Error unless max lies above min on every axis, and for a lasso that is none.
+void requireValid(const WorldRegion& region);
+
 /// What is sculpted on a plane, without it.
 struct PatchSource {
   std::optional<ClayPlane> plane{};  ///< without, the one that is found under it
@@ -44,8 +47,8 @@ struct ToolSource {
   bool isAtHand() const { return from.empty() && text.empty(); }
 };
 
-/// Throws Error for sizes that are no sizes: what is measured in world units lies in 1e-3 … 1e6,
-/// cells in 4 … 4096.
+/// Throws Error for regions, places and directions that are none, and for sizes that are no sizes:
+/// what is measured in world units lies in 1e-3 … 1e6, cells in 4 … 4096.
 void requireValid(const ToolSource& source);
 
 /// union, subtract or intersect the clay with a file's or a shelf's.

@@ -27,8 +27,8 @@ struct Lasso {
   friend bool operator==(const Lasso&, const Lasso&) = default;
 };
 
-/// Throws Error for fewer than three points or more than 10,000, and for numbers that are not
-/// finite or no rotation.
+/// Throws Error for fewer than three points or more than 10,000, for points on one line, and for
+/// numbers that are not finite or no rotation.
 void requireValid(const Lasso& lasso);
 
 /// Of all places in a ball: whether the lasso holds none, some or all. Careful: `some` may be said

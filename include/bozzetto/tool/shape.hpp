@@ -55,10 +55,13 @@ struct FittedTool {
   std::string notice;  ///< what was changed and why; empty when nothing was
 };
 
-/// Widens radii under two cells of `spacing` to two and says so. Throws Error for radii that are
-/// not finite, not above 0 or beyond 4096 cells, for boxes of more than 2²⁹ corners, and for
-/// rotations that cannot be normalised. Freeform tools are not widened: their thin parts are
-/// pre-filtered; refused are those that would shrink to a 256th.
+/// What can be said without a grid. Throws Error for radii (of freeform tools: scales) that are not
+/// finite or not above 0, and for rotations that cannot be normalised.
+void requireValid(const ToolShape& shape);
+
+/// Widens radii under two cells of `spacing` to two and says so. Throws Error for what requireValid
+/// refuses, for radii beyond 4096 cells and for boxes of more than 2²⁹ corners. Freeform tools are
+/// not widened: their thin parts are pre-filtered; refused are those that would shrink to a 256th.
 FittedTool fitTool(const ToolShape& shape, double spacing);
 
 /// The rotation with length 1. Throws Error when it has none.

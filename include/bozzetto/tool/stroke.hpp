@@ -36,6 +36,10 @@ struct Stroke {
   Placement placement{};
 };
 
+/// What can be said without tool and grid. Throws Error for no points, a spacing that is not above
+/// 0, other than as many rotations as points, and what its symmetry and placement refuse.
+void requireValid(const Stroke& stroke);
+
 inline constexpr std::int64_t kMostDabs = 10'000'000;
 
 /// The points of a polyline at equal distances along it, the first one included. Distances carry
@@ -91,6 +95,8 @@ class StrokeRunner {
   std::int64_t dabCount() const { return count_; }       ///< symmetric images not counted
   std::int64_t sureDabs() const;                         ///< those that `extend` cannot move
   const std::string& notice() const { return notice_; }  ///< about the tool; may be empty
+  /// About the placement of the points so far; may be empty.
+  std::string placementNotice() const;
 
   /// Makes the n-th dab and its images.
   DabReport dab(std::int64_t n);
