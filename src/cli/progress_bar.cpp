@@ -14,6 +14,9 @@ volatile std::sig_atomic_t interrupted = 0;
 
 void onInterrupt(int) { interrupted = 1; }
 
+// That nobody reads it is no reason to stop.
+void tell(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
 }  // namespace
 
 ProgressBar::ProgressBar() : terminal_(::isatty(STDERR_FILENO) != 0) {
@@ -32,8 +35,8 @@ bool ProgressBar::report(std::string_view what, double done) {
   last_ = now;
   constexpr int width = 30;
   const int filled = std::clamp(static_cast<int>(done * width), 0, width);
-  fmt::print(stderr, "\r{:<14} [{:=<{}}{: <{}}] {:3.0f} %", what, "", filled, "", width - filled,
-             100 * done);
+  tell(fmt::format("\r{:<14} [{:=<{}}{: <{}}] {:3.0f} %", what, "", filled, "", width - filled,
+                   100 * done));
   std::fflush(stderr);
   shown_ = true;
   return true;
@@ -41,11 +44,11 @@ bool ProgressBar::report(std::string_view what, double done) {
 
 void ProgressBar::note(std::string_view text) {
   wipe();
-  fmt::print(stderr, "bozzetto: {}\n", text);
+  tell(fmt::format("bozzetto: {}\n", text));
 }
 
 void ProgressBar::wipe() {
-  if (shown_) fmt::print(stderr, "\r{:60}\r", "");
+  if (shown_) tell(fmt::format("\r{:60}\r", ""));
   shown_ = false;
 }
 

@@ -1,11 +1,13 @@
 // bozzetto tool make|list|show|render: tools that are sculptures.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
 
 #include "bozzetto/base/file.hpp"
+#include "bozzetto/base/file_system.hpp"
 #include "bozzetto/base/text.hpp"
 #include "bozzetto/sculptor/recording.hpp"
 #include "bozzetto/sculptor/tool_library.hpp"
@@ -107,6 +109,24 @@ bool isInLibrary(const std::filesystem::path& file) {
   return std::filesystem::equivalent(file.parent_path(), userToolFolder(), ignored);
 }
 
+[[noreturn]] void refuseTaken(const std::filesystem::path& out) {
+  throw Error(out.string() + ": exists already; --replace replaces it");
+}
+
+// Never in the place of a file, not even of one that somebody else puts there meanwhile.
+void saveNew(const std::filesystem::path& out, const ShelfTool& tool) {
+  const auto draft = out.parent_path() / fmt::format(".bozzetto-tool-{}", ::getpid());
+  saveTool(draft, tool);
+  try {
+    FileSystem::real().rename(draft, out, Existing::refuse);
+  } catch (const FileError&) {
+    std::error_code ignored;
+    std::filesystem::remove(draft, ignored);
+    if (std::filesystem::exists(out, ignored)) refuseTaken(out);
+    throw;
+  }
+}
+
 // Where the tool goes; refuses names, and what must not be replaced.
 std::filesystem::path placeFor(const ShelfTool& tool, const MakeArguments& arguments) {
   std::filesystem::path out = arguments.out;
@@ -120,8 +140,7 @@ std::filesystem::path placeFor(const ShelfTool& tool, const MakeArguments& argum
     throw Error(out.string() + ": tools are .bzt files, another name found");
   if (arguments.replace) return out;
   std::error_code ignored;
-  if (std::filesystem::exists(out, ignored))
-    throw Error(out.string() + ": exists already; --replace replaces it");
+  if (std::filesystem::exists(out, ignored)) refuseTaken(out);
   if (isStarter(name) && (arguments.out.empty() || isInLibrary(out)))
     throw Error(name + ": a starter is called so, and recordings that say shelf:" + name +
                 " would get this tool; another --name, or --replace, expected");
@@ -144,7 +163,7 @@ void make(const MakeArguments& arguments) {
   const std::filesystem::path out = placeFor(tool, arguments);
   tool.thumbnail = thumbnailOf(tool, progress);
   if (arguments.out.empty()) std::filesystem::create_directories(userToolFolder());
-  saveTool(out, tool);
+  arguments.replace ? saveTool(out, tool) : saveNew(out, tool);
   progress.clear();
   fmt::print("{}\n", out.string());
 }

@@ -45,7 +45,10 @@ bool BlockKernel::fill(const BlockTask& task, CornerBlock<8>& out) {
   const bool sheets = task.kind == BlockKind::sheets || task.kind == BlockKind::rim;
   if (!sheets || !findInsideByRegions(task.kind)) findInsideEverywhere(task.kind);
   // Where bodies overlap, triangles inside the clay are not its surface.
-  if (contradictsWinding()) findNearest(task, Sheets::surfaceOnly);
+  if (contradictsWinding()) {
+    findInsideOnTriangles();
+    findNearest(task, Sheets::surfaceOnly);
+  }
 
   bool clay = false;
   for (int corner = 0; corner < kCount; ++corner) {
@@ -89,15 +92,31 @@ void BlockKernel::visitTriangle(std::uint32_t number, Sheets sheets) {
   }
 }
 
+// A thousandth of a cell in front of it; 1 where it has no front.
+double BlockKernel::windingBefore(const DistanceTriangle& triangle,
+                                  const NearestPoint& nearest) const {
+  const auto normal = triangle.normal();
+  const double length = glm::length(normal);
+  if (!(length > 0)) return 1;
+  return winding_.at(triangle.at(nearest.u, nearest.v) + normal * (1e-3 / length));
+}
+
 // Crossing a triangle from front to back adds 1 to the winding number: the surface is where that
 // passes ½.
 bool BlockKernel::isSurface(const DistanceTriangle& triangle, const NearestPoint& nearest) const {
-  const auto normal = triangle.normal();
-  const double length = glm::length(normal);
-  if (!(length > 0)) return false;
-  const auto front = triangle.at(nearest.u, nearest.v) + normal * (1e-3 / length);
-  const double winding = winding_.at(front);
+  const double winding = windingBefore(triangle, nearest);
   return winding > -0.5 && winding <= 0.5;
+}
+
+// On a triangle the winding number may be anything; on one that is no surface, what is before it
+// goes on behind it.
+void BlockKernel::findInsideOnTriangles() {
+  for (int corner = 0; corner < kCount; ++corner) {
+    if (squared_[corner] >= kOnSurfaceSquared) continue;
+    const NearestPoint nearest{squared_[corner], u_[corner], v_[corner]};
+    const double winding = windingBefore(grid_.triangles[nearest_[corner]], nearest);
+    inside_[corner] = winding > 0.5 ? kInside : kOutside;
+  }
 }
 
 // Two corners are parted by a triangle only if it passes between them, so their distances to it
@@ -218,14 +237,28 @@ void BlockKernel::findInsideEverywhere(BlockKind kind) {
   }
 }
 
+// Whether the corners before the triangle belong to the next block.
+bool BlockKernel::frontLiesBeyond(int corner, const DistanceTriangle& triangle) const {
+  const glm::dvec3 normal = triangle.normal(), size = glm::abs(normal);
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const double at = (placeOf(corner) - origin_)[axis];
+  return normal[axis] > 0 ? at == kSide - 1 : at == 0;
+}
+
 // A corner in front of its nearest triangle is outside and one behind it inside, unless bodies
-// overlap or walls are double.
+// overlap or walls are double. On a triangle there is no side; where the block has no corners
+// before it either, the triangle itself is asked.
 bool BlockKernel::contradictsWinding() const {
   for (int corner = 0; corner < kCount; ++corner) {
     if (nearest_[corner] == kNone) continue;
     const NearestPoint nearest{squared_[corner], u_[corner], v_[corner]};
-    if (!nearest.onFace() || nearest.squared < kOnSurfaceSquared) continue;
-    const bool front = grid_.triangles[nearest_[corner]].isFrontOf(placeOf(corner));
+    if (!nearest.onFace()) continue;
+    const DistanceTriangle& triangle = grid_.triangles[nearest_[corner]];
+    if (nearest.squared < kOnSurfaceSquared) {
+      if (frontLiesBeyond(corner, triangle) && !isSurface(triangle, nearest)) return true;
+      continue;
+    }
+    const bool front = triangle.isFrontOf(placeOf(corner));
     if (front == (inside_[corner] == kInside)) return true;
   }
   return false;

@@ -42,7 +42,10 @@ class BlockKernel {
 
   void findNearest(const BlockTask& task, Sheets sheets);
   void visitTriangle(std::uint32_t number, Sheets sheets);
+  bool frontLiesBeyond(int corner, const DistanceTriangle& triangle) const;
+  double windingBefore(const DistanceTriangle& triangle, const NearestPoint& nearest) const;
   bool isSurface(const DistanceTriangle& triangle, const NearestPoint& nearest) const;
+  void findInsideOnTriangles();
   bool findInsideByRegions(BlockKind kind);
   bool regionAgrees(BlockKind kind, double winding) const;
   void findInsideEverywhere(BlockKind kind);

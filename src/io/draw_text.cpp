@@ -4,6 +4,7 @@
 #include FT_MODULE_H
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 #include "bozzetto/base/error.hpp"
@@ -50,6 +51,21 @@ std::filesystem::path fontFor(const TextOptions& options) {
   return *there;
 }
 
+// U+05E9
+std::string named(char32_t character) {
+  char text[16];
+  std::snprintf(text, sizeof text, "U+%04X", unsigned(character));
+  return text;
+}
+
+// The blocks of scripts that are, and of marks that turn lines round.
+bool runsFromTheRight(char32_t c) {
+  constexpr std::pair<char32_t, char32_t> kBlocks[] = {
+      {0x590, 0x8ff},   {0x200f, 0x200f}, {0x202a, 0x202e},   {0x2066, 0x2069},
+      {0xfb1d, 0xfdff}, {0xfe70, 0xfeff}, {0x10800, 0x10fff}, {0x1e800, 0x1efff}};
+  return std::ranges::any_of(kBlocks, [&](const auto& b) { return c >= b.first && c <= b.second; });
+}
+
 std::vector<char32_t> charactersOf(const std::string& text) {
   std::vector<char32_t> characters;
   for (std::size_t at = 0; at < text.size();) {
@@ -57,6 +73,10 @@ std::vector<char32_t> charactersOf(const std::string& text) {
     if (!character) {
       throw Error("text: no character at byte " + std::to_string(at) +
                   ", UTF-8 in one line expected");
+    }
+    if (runsFromTheRight(*character)) {
+      throw Error("text: " + named(*character) +
+                  " found, which runs from right to left, characters from left to right expected");
     }
     characters.push_back(*character);
   }
@@ -73,7 +93,7 @@ struct Glyph {
 
 Glyph render(Font& font, char32_t character) {
   const FT_UInt index = FT_Get_Char_Index(font.face, character);
-  if (index == 0) throw Error("text: the font lacks a character of it");
+  if (index == 0) throw Error("text: the font lacks the character " + named(character));
   const bool loaded = FT_Load_Glyph(font.face, index, FT_LOAD_NO_HINTING) == 0;
   const FT_GlyphSlot slot = font.face->glyph;
   const bool blank = loaded && slot->outline.n_contours == 0;  // of which no distance is known

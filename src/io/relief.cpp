@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bozzetto/base/error.hpp"
+#include "bozzetto/base/text.hpp"
 
 namespace bozzetto {
 namespace {
@@ -16,8 +17,11 @@ class Greys {
  public:
   Greys(const GreyImage& image, double pixelsPerCell) : image_(&image), pixels_(pixelsPerCell) {}
 
-  // Mean of the pixels of a cell, bilinear where cells are smaller.
+  // Mean of the pixels of a cell, bilinear where cells are smaller; less at the picture's border,
+  // beyond which all is black.
   double at(double x, double y) const {
+    const double part = covered(x, image_->width) * covered(y, image_->height);
+    if (!(part > 0)) return 0;
     const int samples = std::max(1, static_cast<int>(std::ceil(pixels_)));
     double sum = 0;
     for (int i = 0; i < samples; ++i)
@@ -25,13 +29,19 @@ class Greys {
         const double u = x + ((i + 0.5) / samples - 0.5), v = y + ((j + 0.5) / samples - 0.5);
         sum += grey(0.5 * image_->width + u * pixels_, 0.5 * image_->height - v * pixels_);
       }
-    return sum / (samples * samples);
+    return part * sum / (samples * samples);
   }
 
  private:
   double pixel(int x, int y) const {
-    const bool inside = x >= 0 && y >= 0 && x < image_->width && y < image_->height;
-    return inside ? static_cast<double>(image_->at(x, y)) : 0;
+    x = std::clamp(x, 0, image_->width - 1);
+    y = std::clamp(y, 0, image_->height - 1);
+    return static_cast<double>(image_->at(x, y));
+  }
+  // How much of a cell lies in the picture, along one axis.
+  double covered(double at, int pixels) const {
+    const double half = 0.5 * pixels / pixels_;
+    return std::clamp(std::min(at + 0.5, half) - std::max(at - 0.5, -half), 0.0, 1.0);
   }
   double grey(double x, double y) const {
     x -= 0.5;
@@ -64,11 +74,14 @@ void requireValid(const GreyImage& image, const ReliefOptions& o) {
   const bool sound = o.width > 0 && o.height > 0 && o.spacing > 0 && std::isfinite(o.width) &&
                      std::isfinite(o.height) && std::isfinite(o.spacing);
   if (!sound || image.width < 1 || image.height < 1) {
-    throw Error("relief: width, height and spacing above 0 expected");
+    throw Error("relief: width " + numberText(o.width) + ", height " + numberText(o.height) +
+                " and spacing " + numberText(o.spacing) + " found, numbers above 0 expected");
   }
   const double across = o.width / o.spacing;
   const double cells = across * (across * image.height / image.width) * (o.height / o.spacing + 3);
-  if (!(cells <= 1 << 28)) throw Error("relief: more than 2^28 cells; a larger spacing expected");
+  if (!(cells <= 1 << 28))
+    throw Error("relief: " + numberText(cells) +
+                " cells found, at most 2^28 expected: a larger spacing, or less height, serves");
 }
 
 void raise(Edit<CornerBlock<8>>& edit, Key corner, double distance, Attributes colour) {
@@ -134,13 +147,17 @@ Clay columns(const Ground& ground, double spacing, Column&& column) {
   for (int i = -ground.wide; i <= ground.wide; ++i)
     for (int j = -ground.tall; j <= ground.tall; ++j) column(edit, Key{i, j, 0});
   edit.commit();
-  if (clay.tree.empty()) throw Error("relief: the picture is black, some grey expected");
+  if (clay.tree.empty())
+    throw Error("relief: nothing of the picture fills a cell of " + numberText(spacing) +
+                " found, more cells, or another size, expected");
   return clay;
 }
 
 }  // namespace
 
 Clay relief(const GreyImage& image, const ReliefOptions& options) {
+  if (std::ranges::none_of(image.grey, [](float grey) { return grey > 0; }))
+    throw Error("relief: a black picture found, some grey expected");
   const Ground ground(image, options);
   const Heights heights{{image, ground.pixels}, ground.white};
   const Attributes colour = packAttributes(options.colour);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/io/mesh_file.hpp"
 #include "bozzetto/io/relief.hpp"
 #include "bozzetto/io/voxelise.hpp"
@@ -42,12 +43,40 @@ std::string keyOf(const ToolSource& s) {
   return key;
 }
 
+bool hasMeshName(const fs::path& path) {
+  try {
+    meshFormatOf(path);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+// Meshes are known by their content too; what is none may be meant as another source.
+TriangleMesh readSourceMesh(const fs::path& path, Progress& progress) {
+  std::error_code ignored;
+  try {
+    return readMesh(path, progress);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    if (hasMeshName(path) || !fs::is_regular_file(path, ignored)) throw;
+    throw Error(path.string() +
+                ": no source of tools found, .bzt .jsonl .png .stl .ply .obj .off " +
+                "or .glb expected");
+  }
+}
+
 Clay clayOfMesh(const fs::path& path, const ToolSource& source, Progress& progress) {
-  const TriangleMesh mesh = readMesh(path, progress);
+  const TriangleMesh mesh = readSourceMesh(path, progress);
   ImportOptions options;
   options.cells = source.cells;
   Clay clay;
   clay.scale.spacing = importSpacing(mesh, options);
+  const double longest = clay.scale.spacing * source.cells;
+  if (!(longest >= 1e-6 && longest <= 1e9))
+    throw Error(fmt::format("{}: longest side {:g} found, 1e-06 to 1e+09 expected", path.string(),
+                            longest));
   Edit<CornerBlock<8>> edit(clay.tree);
   voxelise(mesh, options, edit, progress);
   edit.commit();
@@ -58,11 +87,21 @@ Clay clayOfPicture(const fs::path& path, const ToolSource& source) {
   const GreyImage image = readGreyPng(path);
   const double longest =
       source.width * std::max(1.0, double(image.height) / double(std::max(image.width, 1)));
-  return relief(image, {source.width, source.height, longest / source.cells, {}});
+  try {
+    return relief(image, {source.width, source.height, longest / source.cells, {}});
+  } catch (const Error& error) {
+    throw Error(path.string() + ": " + error.what());
+  }
 }
 
 // 64 cells a capital.
-ShelfTool letters(const fs::path& folder, const ToolSource& source) {
+ShelfTool letters(const fs::path& folder, const ToolSource& source, Progress& progress) {
+  const double cell = source.letterSize / 64;
+  if (source.letterDepth < 2 * cell)
+    progress.note(
+        fmt::format("text: {:g} deep letters of size {:g} are less than two cells of {:g}; "
+                    "they stand a cell high",
+                    source.letterDepth, source.letterSize, cell));
   TextOptions options;
   if (!source.font.empty()) options.font = folder / source.font;
   const GreyImage image = drawText(source.text, options);
@@ -70,7 +109,7 @@ ShelfTool letters(const fs::path& folder, const ToolSource& source) {
   ShelfTool tool;
   const std::size_t first = source.text.find_first_not_of(' ');
   tool.name = source.text.substr(first, source.text.find_last_not_of(' ') + 1 - first);
-  tool.clay = standingText(image, {width, source.letterDepth, source.letterSize / 64, {}});
+  tool.clay = standingText(image, {width, source.letterDepth, cell, {}});
   tool.pivot = glm::dvec3(0);
   return tool;
 }
@@ -153,10 +192,10 @@ ShelfTool ToolLibrary::find(const std::string& name, Progress& progress) const {
 
 ShelfTool ToolLibrary::load(const ToolSource& source, Progress& progress) const {
   requireValid(source);
-  if (!source.text.empty()) return letters(folder, source);
+  if (!source.text.empty()) return letters(folder, source, progress);
   if (source.from.starts_with(kShelf)) return find(source.from.substr(kShelf.size()), progress);
   const fs::path path = folder / source.from;
-  const std::string extension = path.extension().string();
+  const std::string extension = lower(path.extension().string());
   if (extension == ".bzt") return loadTool(path, progress);
   ShelfTool tool;
   tool.name = path.stem().string();

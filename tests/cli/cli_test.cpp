@@ -192,6 +192,8 @@ TEST_P(Refusals, areOneLineAndLeaveNothing) {
   folder.write("text.bzt", "no scene at all");
   folder.write("bad.jsonl", kHeader + "{\"op\":\"fill\"}\n{\"op\":\"dance\"}\n");
   folder.write("thin.jsonl", kHeader + "{\"op\":\"fill\"}\n{\"op\":\"tool\",\"radii\":[0,1,1]}\n");
+  folder.write("wide.jsonl",
+               kHeader + "{\"op\":\"fill\"}\n{\"op\":\"tool\",\"radii\":[9000,1,1]}\n");
   folder.write("far.jsonl", kHeader + "{\"op\":\"stroke\",\"points\":[[1e15,0,0]]}\n");
   folder.write("many.jsonl", kHeader +
                                  "{\"op\":\"stroke\",\"points\":[[0,0,0],[1e8,0,0]],\"spacing\":"
@@ -232,7 +234,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"import FOLDERcube.off -o FOLDERnowhere/o.bzt", 1, "nowhere"},
         Refusal{"import FOLDERcube.off -o FOLDERo.bzt --colour red", 1, "#rrggbb"},
         Refusal{"replay FOLDERbad.jsonl -o FOLDERo.bzt", 1, "bad.jsonl:3"},
-        Refusal{"replay FOLDERthin.jsonl -o FOLDERo.bzt", 1, "operation 2"},
+        Refusal{"replay FOLDERthin.jsonl -o FOLDERo.bzt", 1, "thin.jsonl:3: tool radius"},
+        Refusal{"replay FOLDERwide.jsonl -o FOLDERo.bzt", 1, "operation 2"},
         Refusal{"replay FOLDERfar.jsonl -o FOLDERo.bzt", 1, "workspace"},
         Refusal{"replay FOLDERmany.jsonl -o FOLDERo.bzt", 1, "dabs"},
         Refusal{"replay FOLDERgood.jsonl --from FOLDERtext.bzt -o FOLDERo.bzt", 1, "text.bzt"},

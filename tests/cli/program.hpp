@@ -40,6 +40,8 @@ class CommandFolder {
 
 std::string textOf(const std::string& path);
 
+/// The program's path.
+const std::string kProgram = BOZZETTO_PROGRAM;
 /// The first line of a recording.
 const std::string kHeader = "{\"bozzetto\":\"recording\",\"version\":1}\n";
 /// A ball with a stroke on it.

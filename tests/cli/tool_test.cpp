@@ -13,6 +13,7 @@ using testing::CommandFolder;
 using testing::infoOf;
 using testing::kBall;
 using testing::kHeader;
+using testing::kProgram;
 using testing::Outcome;
 using testing::runProgram;
 using testing::sceneOf;
@@ -30,7 +31,7 @@ TEST(Tool, toolsHaveNamesThatFilesCanHave) {
   for (const char* name : {"../evil", "''", ".hidden", "\"$(printf 'a\\tb')\""}) {
     const Outcome outcome = runProgram("tool make " + scene + " --name " + name + out);
     EXPECT_EQ(outcome.code, 1) << name;
-    EXPECT_NE(outcome.err.find("a name that files can have"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("tool name: "), std::string::npos) << outcome.err;
   }
   EXPECT_EQ(runProgram("tool make --text A/B -o " + (folder / "ab.bzt")).code, 0) << "its own file";
   EXPECT_EQ(runProgram("tool make " + scene + " --region nan 1 1 2 2 2" + out).code, 1);
@@ -88,6 +89,24 @@ TEST(Tool, startersKeepTheirNamesUnlessTheyAreReplaced) {
   EXPECT_EQ(used.code, 0) << used.err;
   EXPECT_NE(used.err.find("shelf:leaf: the user's library has one"), std::string::npos) << used.err;
   ::unsetenv("XDG_DATA_HOME");
+}
+
+TEST(Tool, ofTwoThatAreMadeAtOnceOneIsThere) {
+  const CommandFolder folder;
+  const std::string out = folder / "t.bzt";
+  const Outcome both =
+      runProgram("tool make --text A -o " + out + " & " + kProgram + " tool make --text B -o " +
+                 out + " && echo second; wait $! && echo first");
+  EXPECT_NE(both.out.find("first\n") == std::string::npos,
+            both.out.find("second\n") == std::string::npos)
+      << both.out << both.err;
+  EXPECT_NE(both.err.find("exists already"), std::string::npos) << both.err;
+  EXPECT_EQ(folder.listing(), "t.bzt");
+}
+
+TEST(Tool, errorsThatNobodyReadsAreErrors) {
+  const Outcome outcome = runProgram("tool make 2>&- >&-");
+  EXPECT_EQ(outcome.code, 1);
 }
 
 TEST(Tool, presetsHoldWhatReplayTakes) {

@@ -45,7 +45,19 @@ TEST(Relief, upIsUpAndRightIsRight) {
   EXPECT_EQ(clay.value({14, -5, 3}), 0);
 }
 
+// However coarse it is, a white picture is a slab of its size.
+TEST(Relief, picturesReachTheirBorder) {
+  for (const int pixels : {1, 8, 64, 200}) {
+    const auto count = std::size_t(pixels * pixels);
+    const Clay clay = relief({pixels, pixels, std::vector<float>(count, 1.0f)}, {40, 6, 1, {}});
+    EXPECT_NEAR(double(massUnits(clay)) * kMassUnit / (40 * 40 * 6.0), 1, 0.1) << pixels;
+    EXPECT_EQ(clay.value({18, 18, 3}), 1) << pixels;
+    EXPECT_EQ(clay.value({22, 0, 3}), 0) << pixels;
+  }
+}
+
 TEST(Relief, refusesWhatIsNone) {
+  EXPECT_THROW(relief(GreyImage{200, 1, std::vector<float>(200, 1.0f)}, {8, 8, 1, {}}), Error);
   EXPECT_THROW(relief(disc(8), {0, 1, 1, {}}), Error);
   EXPECT_THROW(relief(disc(8), {1e6, 1e6, 1, {}}), Error);
   EXPECT_THROW(relief(GreyImage{2, 2, {0, 0, 0, 0}}, {8, 8, 1, {}}), Error);
@@ -85,6 +97,7 @@ TEST(Text, refusesWhatIsNone) {
   EXPECT_THROW(drawText("a\nb"), Error);
   EXPECT_THROW(drawText("\xff"), Error);
   EXPECT_THROW(drawText("\xc3"), Error);
+  EXPECT_THROW(drawText("\u05e9"), Error) << "would stand in the wrong order";
   EXPECT_THROW(drawText(std::string(300, 'a')), Error);
   EXPECT_THROW(drawText("A", {.font = "no such font"}), Error);
   EXPECT_THROW(drawText("A", {.font = {}, .pixels = 100000}), Error);

@@ -131,6 +131,22 @@ TEST(Voxelise, OverlappingBodiesBecomeOneWithoutWallsInside) {
   EXPECT_NEAR(report.volume / volume, 1, 0.005);
 }
 
+// Faces on the first or last corners of blocks, whose other side is the next block's.
+TEST(Voxelise, FacesInsideOtherBodiesLeaveNoBubbles) {
+  TriangleMesh mesh;
+  for (const double at : {0.0, 2.0})
+    for (const glm::dvec3 place : {glm::dvec3(0), {10, 0, 0}, {0, 10, 0}, {0, 0, 10}})
+      mesh.positions.push_back(place + at);
+  for (const std::uint32_t n : {0u, 4u})
+    for (const TriangleMesh::Triangle& t :
+         {TriangleMesh::Triangle{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})
+      mesh.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  for (const double spacing : {0.125, 0.25, 0.5}) {
+    const auto report = surfaceOf(importAt(mesh, spacing).clay);
+    EXPECT_EQ(report.components, 1u) << spacing;
+  }
+}
+
 TEST(Voxelise, ACavityStaysHollow) {
   const auto hollow =
       importAt(shapes::together(shapes::ball(20), shapes::flipped(shapes::ball(10))), 1);
