@@ -83,9 +83,10 @@ void stampPlot(StampOptions& stamp, double iso) {
   drawText(list, fonts().medium, {surface + px(7), at.y + size.y - px(20)}, ink(tint::faint),
            "surface");
   hotArea("curve", size);
-  tooltip(
-      "What the clay gains or loses, from the tool's core to beyond its surface. Drag the "
-      "crest, or the end of the fall.");
+  if (!ImGui::IsItemActive())
+    tooltip(
+        "What the clay gains or loses, from the tool's core to beyond its surface. Drag the "
+        "crest, or the end of the fall.");
   dragHandles(stamp, fits, plot);
 }
 
