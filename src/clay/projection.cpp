@@ -11,7 +11,9 @@ constexpr float kOverRelaxation = 1.15f;
 // How open the surface is while a grip pulls. Air that follows clay grows fingers into it, the
 // narrower the faster (Saffman & Taylor 1958), and digs in along the border of what is gripped,
 // where the pressure's gradient has no bound. Behind a skin clay gives way over 1/kSkin cells.
+// What is pushed stretches too where it is stiff, and its edges would stay behind as rails.
 constexpr float kSkin = 0.1f;
+constexpr float kSupple = 0.35f;  // stiffness up to which pushed clay has no skin
 constexpr auto kAir = static_cast<std::uint8_t>(CellType::air);
 constexpr auto kClay = static_cast<std::uint8_t>(CellType::clay);
 constexpr auto kClosed = static_cast<std::uint8_t>(CellType::closed);
@@ -418,6 +420,13 @@ BOZZETTO_KERNEL void typeKernel(const TypeRow& row) {
 
 BOZZETTO_SIMD_DISPATCH(void, typeRow, typeKernel, (const TypeRow& row), (row))
 
+float skinOf(const Work& work) {
+  if (work.grips()) return kSkin;
+  if (!work.region.wished) return 1;
+  const auto stiffness = static_cast<float>(work.settings.stiffness);
+  return 1 - (1 - kSkin) * std::max(0.0f, stiffness - kSupple) / (1 - kSupple);
+}
+
 }  // namespace
 
 void findTypes(Work& work) {
@@ -463,7 +472,7 @@ void Projection::run(Work& work, const SolverOptions& options) {
     for (std::size_t axis = 0; axis < 3; ++axis) findFaces(region, axis);
   findSources(region);
   fadeSources(region);
-  const float skin = work.grips() ? kSkin : 1.0f;
+  const float skin = skinOf(work);
   if (skin < 1) closeSkin(region, skin);
   grid_.prepare(region, skin);
   for (int cycle = 0; cycle < options.cycles; ++cycle) {

@@ -29,15 +29,21 @@ BOZZETTO_KERNEL float sizeOf(float x) {
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(x) & 0x7fffffff);
 }
 
+// Where less of the surface faces the axis, waves along it would grow into terraces if they were
+// sharpened by as much.
+constexpr float kGrazing = 0.25f;
+
 // How squarely the surface faces the axis: ±|g_a| / (|g_x| + |g_y| + |g_z|), positive where density
-// rises along it.
+// rises along it; below kGrazing its square, over kGrazing.
 BOZZETTO_KERNEL void slopes(const RowSource& row, int count, float* slope) {
   const float* v = row.v;
   for (int n = 0; n < count; ++n) {
     const float a = v[n + row.along] - v[n - row.along];
     const float b = v[n + row.other[0]] - v[n - row.other[0]];
     const float c = v[n + row.other[1]] - v[n - row.other[1]];
-    slope[n] = a / (((sizeOf(a) + sizeOf(b)) + sizeOf(c)) + 1e-9f);
+    const float facing = a / (((sizeOf(a) + sizeOf(b)) + sizeOf(c)) + 1e-9f);
+    const float part = sizeOf(facing) * (1 / kGrazing);
+    slope[n] = facing * (part < 1 ? part : 1.0f);
   }
 }
 
