@@ -122,6 +122,29 @@ void sweepDust(Work& work) {
   });
 }
 
+// Nowhere has it a whole cube of 3³ cells.
+bool CrumbEater::isThin(const Work& work, std::uint32_t piece) const {
+  const std::ptrdiff_t di = work.region.strides()[0], dj = work.region.strides()[1];
+  const auto wholeRow = [&](std::size_t cell) {
+    const float* v = &work.region.value[cell];
+    return v[-1] >= work.iso && v[0] >= work.iso && v[1] >= work.iso;
+  };
+  for (const Pieces::Run& run : pieces_.runs())
+    for (std::int32_t n = 1; run.root == piece && n + 1 < run.count; ++n) {
+      int whole = 0;
+      for (int row = 0; row < 9; ++row)
+        whole += wholeRow(run.base + n + (row / 3 - 1) * di + (row % 3 - 1) * dj) ? 1 : 0;
+      if (whole == 9) return false;
+    }
+  return true;
+}
+
+bool CrumbEater::isCrumb(const Work& work, std::uint32_t piece) const {
+  const int few = work.settings.crumb;
+  if (cellsOf_[piece] >= (work.settings.parting > 0 ? few * few : few)) return false;
+  return (cellsOf_[piece] < few || isThin(work, piece)) && isWhole(work.region, piece);
+}
+
 // A piece that no rim cuts and that is not held.
 bool CrumbEater::isWhole(const Region& region, std::uint32_t piece) const {
   for (const Pieces::Run& run : pieces_.runs()) {
@@ -199,8 +222,7 @@ void CrumbEater::run(Work& work) {
   cellsOf_.assign(runs.size(), 0);
   for (const Pieces::Run& run : runs) cellsOf_[run.root] += run.count;
   for (std::uint32_t n = 0; n < runs.size(); ++n)
-    if (runs[n].root == n && cellsOf_[n] < work.settings.crumb && isWhole(work.region, n))
-      eat(work, n);
+    if (runs[n].root == n && isCrumb(work, n)) eat(work, n);
 }
 
 }  // namespace bozzetto::clay

@@ -11,11 +11,14 @@ void sweepDust(Work& work);
 
 class CrumbEater {
  public:
-  /// Pieces of fewer than `settings.crumb` cells become excess of the nearest dense cell.
+  /// Pieces of fewer than `settings.crumb` cells become excess of the nearest dense cell; where
+  /// clay parts, so do shreds: fewer cells than that squared, nowhere a cube of 3³.
   void run(Work& work);
 
  private:
   void eat(Work& work, std::uint32_t piece);
+  bool isCrumb(const Work& work, std::uint32_t piece) const;
+  bool isThin(const Work& work, std::uint32_t piece) const;
   bool isWhole(const Region& region, std::uint32_t piece) const;
   std::size_t nearestClay(const Work& work, std::uint32_t piece);
 
