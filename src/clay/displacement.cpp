@@ -70,11 +70,22 @@ void Displacement::findDistances(Work& work) {
   if (cells != size_) distance_.clear();
   size_ = cells;
   while (distance_.size() < moving + 1) distance_.emplace_back(cells);
-  pieces_.find(region, kThin);
+  path_.resize(moving + 1);
+  // The pieces and the distances from each tool, side by side.
+  parallelFor(moving + 2, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t task = begin; task < end; ++task) {
+      if (task == 0) {
+        pieces_.find(region, kThin);
+      } else {
+        const std::size_t n = task - 1;
+        const auto owner = static_cast<std::uint8_t>(n < moving ? kMoving + n : +kStatic);
+        path_[n].run(region, owner, region.rhs, distance_[n]);
+      }
+    }
+  });
   contacts_.assign((moving + 1) * (moving + 1), {});
   for (std::size_t n = 0; n <= moving; ++n) {
-    const auto owner = n < moving ? static_cast<std::uint8_t>(kMoving + n) : std::uint8_t{kStatic};
-    for (const Contact& contact : path_.run(region, pieces_, owner, region.rhs, distance_[n])) {
+    for (const Contact& contact : path_[n].contacts(pieces_)) {
       const std::size_t other =
           contact.owner == kStatic ? moving : static_cast<std::size_t>(contact.owner - kMoving);
       contacts_[n * (moving + 1) + other].push_back(contact);

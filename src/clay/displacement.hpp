@@ -20,8 +20,8 @@ class Displacement : public Layer {
   void addWish(Work& work, std::size_t tool, const Cells<float>& weight);
 
   Pieces pieces_;
-  PseudoDistance path_;
-  std::vector<Cells<float>> distance_;  // of each moving tool, then of the static ones
+  std::vector<PseudoDistance> path_;    // of each moving tool, then of the static ones
+  std::vector<Cells<float>> distance_;  // likewise
   std::vector<std::vector<Contact>> contacts_;
   std::size_t size_ = 0;
 };

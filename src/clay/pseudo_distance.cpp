@@ -15,22 +15,25 @@ void PseudoDistance::sow(const Region& region, std::uint8_t owner, Cells<float>&
     }
 }
 
-void PseudoDistance::meet(const Pieces& pieces, std::size_t cell, std::uint8_t owner,
-                          float distance) {
-  const std::uint32_t piece = pieces.pieceAt(cell);
-  for (Contact& contact : contacts_) {
-    if (contact.piece != piece || contact.owner != owner) continue;
-    contact.distance = std::min(contact.distance, distance);
-    return;
+std::vector<Contact> PseudoDistance::contacts(const Pieces& pieces) const {
+  std::vector<Contact> contacts;
+  for (const Touch& touch : touches_) {
+    const std::uint32_t piece = pieces.pieceAt(touch.cell);
+    const auto same = std::find_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+      return contact.piece == piece && contact.owner == touch.owner;
+    });
+    if (same == contacts.end())
+      contacts.push_back({piece, touch.owner, touch.distance});
+    else
+      same->distance = std::min(same->distance, touch.distance);
   }
-  contacts_.push_back({piece, owner, distance});
+  return contacts;
 }
 
 // Dial's buckets of width 1: no cost is less than 1, so a bucket never feeds itself.
-const std::vector<Contact>& PseudoDistance::run(const Region& region, const Pieces& pieces,
-                                                std::uint8_t owner, const Cells<float>& cost,
-                                                Cells<float>& distance) {
-  contacts_.clear();
+void PseudoDistance::run(const Region& region, std::uint8_t owner, const Cells<float>& cost,
+                         Cells<float>& distance) {
+  touches_.clear();
   sow(region, owner, distance);
   std::size_t idle = 0;
   for (std::size_t now = 0; idle < kBuckets; ++now) {
@@ -51,13 +54,12 @@ const std::vector<Contact>& PseudoDistance::run(const Region& region, const Piec
           bucket_[static_cast<std::size_t>(there) % kBuckets].push_back(
               static_cast<std::uint32_t>(next));
         } else {
-          meet(pieces, next, other, there);
+          touches_.push_back({static_cast<std::uint32_t>(next), other, there});
         }
       }
     }
     bucket.clear();
   }
-  return contacts_;
 }
 
 }  // namespace bozzetto::clay

@@ -21,17 +21,23 @@ class PseudoDistance {
  public:
   /// From the cells of `owner` (kStatic includes held cells) over 6-neighbours with clay, stopping
   /// at cells of other owners. `cost` ≥ 1 of entering a cell. Fills `distance` in the region's
-  /// rows; kFar where no way leads. Returns the first contacts. O(cells reached).
-  const std::vector<Contact>& run(const Region& region, const Pieces& pieces, std::uint8_t owner,
-                                  const Cells<float>& cost, Cells<float>& distance);
+  /// rows; kFar where no way leads. O(cells reached).
+  void run(const Region& region, std::uint8_t owner, const Cells<float>& cost,
+           Cells<float>& distance);
+  /// The first contacts of the last run, one a piece and owner.
+  std::vector<Contact> contacts(const Pieces& pieces) const;
 
  private:
   static constexpr std::size_t kBuckets = 256;
   void sow(const Region& region, std::uint8_t owner, Cells<float>& distance);
-  void meet(const Pieces& pieces, std::size_t cell, std::uint8_t owner, float distance);
 
+  struct Touch {
+    std::uint32_t cell;
+    std::uint8_t owner;
+    float distance;
+  };
   std::vector<std::uint32_t> bucket_[kBuckets];
-  std::vector<Contact> contacts_;
+  std::vector<Touch> touches_;
 };
 
 /// Whose cell it is: held cells belong to the static tools.

@@ -72,8 +72,10 @@ std::vector<float> leadsAlong(Bench& bench, int length, float weak) {
   PseudoDistance path;
   Cells<float>& first = bench.region.scratch;
   Cells<float>& second = bench.region.scratch2;
-  const float between = path.run(bench.region, pieces, kMoving, cost, first).front().distance;
-  const float back = path.run(bench.region, pieces, kStatic, cost, second).front().distance;
+  path.run(bench.region, kMoving, cost, first);
+  const float between = path.contacts(pieces).front().distance;
+  path.run(bench.region, kStatic, cost, second);
+  const float back = path.contacts(pieces).front().distance;
   std::vector<float> leads;
   for (int n = 0; n < length; ++n) {
     const std::size_t cell = bench.region.index({4, 4, n});
