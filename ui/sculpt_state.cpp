@@ -25,7 +25,7 @@ constexpr std::array<ToolRow, kToolCount> kTools{{
      false},
     {soften, Icon::soften, "Soften", "Soften", "gives way sooner", stiffen, true, false},
     {push, Icon::push, "Push", "Push", "clay gives way, none is lost", push, false, false},
-    {grip, Icon::grip, "Grip", "Grip", "drags clay along", grip, false, false},
+    {grip, Icon::grip, "Grip", "Grip", "drags clay along", grip, true, false},
     {swell, Icon::swell, "Swell", "Swell", "clay swells out", swell, true, false},
 }};
 

@@ -71,7 +71,7 @@ struct SculptState {
   Alignment alignment = Alignment::normal;
   /// By action, in ActionKind's order.
   std::array<double, kToolCount> strength{0.35, 0.35, 1,   1,   0.6, 0.6, 0.8,
-                                          1,    1,    0.5, 0.5, 0.7, 0.8, 0.5};
+                                          1,    1,    0.5, 0.5, 1,   1,   0.5};
   double depth = 0;  ///< of the tool's centre over the surface, in radii
   Colour colour, second{0xdc, 0xcb, 0xaa};
 

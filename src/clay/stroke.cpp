@@ -190,11 +190,14 @@ struct ClayStroke<Side>::State {
     return place(makeSolid(tool.sculpture, pose), pose, doing.role);
   }
 
-  // The tool and its images after `now` steps, moved since `before`.
+  // The tool and its images after `now` steps, moved since `before`. A grip leads what it holds by
+  // its strength, as a share of its own way.
   std::vector<PlacedTool> toolsAt(double before, double now) const {
     const Pose from = path->at(before), to = path->at(now);
+    const Pose led =
+        doing.role == Role::grip ? path->at(before + doing.strength * (now - before)) : to;
     const glm::dmat3 turn =
-        glm::mat3_cast(to.rotation) * glm::transpose(glm::mat3_cast(from.rotation));
+        glm::mat3_cast(led.rotation) * glm::transpose(glm::mat3_cast(from.rotation));
     std::vector<PlacedTool> tools;
     for (const glm::dvec3& copy : copies)
       for (const glm::dmat3& image : images) {
@@ -203,7 +206,8 @@ struct ClayStroke<Side>::State {
         pose.orientation = image * pose.orientation;
         const glm::dmat3 turned = image * turn * glm::transpose(image);
         const glm::dvec3 start = centre + image * (from.position + copy - centre);
-        const Motion motion{turned - glm::dmat3(1), pose.position - turned * start};
+        const glm::dvec3 end = centre + image * (led.position + copy - centre);
+        const Motion motion{turned - glm::dmat3(1), end - turned * start};
         PlacedTool placed = placeAt(pose);
         placed.motion = motion;
         placed.strength = static_cast<float>(doing.strength);

@@ -83,7 +83,7 @@ ActionOptions readOptions(JsonObject& object) {
                                            {"grip", grip},
                                            {"swell", swell}},
                                           add);
-  action.strength = object.number("strength", 0.5);
+  action.strength = object.number("strength", action.kind == grip ? 1 : 0.5);
   action.colour = readColour(object);
   action.ownColours = object.flag("own_colours", false);
   if (action.kind == stamp) action.stamp = readStamp(object);

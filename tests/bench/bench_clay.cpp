@@ -40,7 +40,7 @@ void steps(benchmark::State& state, const Scene& scene) {
     state.PauseTiming();
     Clay field = scene.field;
     Edit<CornerBlock<8>> edit(field.tree);
-    clay::ClayStroke<8> stroke(edit, field.scale, scene.tool, {scene.role, 0.5}, scene.stroke,
+    clay::ClayStroke<8> stroke(edit, field.scale, scene.tool, {scene.role, 1}, scene.stroke,
                                scene.setup);
     state.ResumeTiming();
     for (std::int64_t n = 0; n < stroke.stepCount(); ++n) {
@@ -174,7 +174,7 @@ void firstDab(benchmark::State& state, bool prepared) {
     Clay field = scene.field;
     Edit<CornerBlock<8>> edit(field.tree);
     state.ResumeTiming();
-    clay::ClayStroke<8> stroke(edit, field.scale, scene.tool, {scene.role, 0.5}, scene.stroke,
+    clay::ClayStroke<8> stroke(edit, field.scale, scene.tool, {scene.role, 1}, scene.stroke,
                                scene.setup);
     stroke.step(0);
     state.PauseTiming();

@@ -136,7 +136,8 @@ std::int64_t cleanCorners(const Clay& clay) {
 
 std::int64_t run(Clay& clay, const Push& push, Stiffness* moved) {
   Edit<CornerBlock<8>> edit(clay.tree);
-  ClayStroke<8> stroke(edit, clay.scale, push.tool, {push.role, 0.5}, push.stroke, push.setup);
+  ClayStroke<8> stroke(edit, clay.scale, push.tool, {push.role, push.strength}, push.stroke,
+                       push.setup);
   for (std::int64_t n = 0; n < stroke.stepCount(); ++n) stroke.step(n);
   stroke.finish();
   stroke.store();

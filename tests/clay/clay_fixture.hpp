@@ -56,6 +56,7 @@ struct Push {
   Role role = Role::push;
   Stroke stroke;
   Setup setup;
+  double strength = 1;
 };
 
 inline ToolShape toolOf(Shape shape, glm::dvec3 radii) {

@@ -81,5 +81,31 @@ TEST(Grip, SlowABallPulledOutGrowsASmoothHorn) {
   }
 }
 
+// What a grip holds follows by its strength, as a share of its way and of its turn.
+TEST(Grip, StrengthIsTheShareThatFollows) {
+  for (const double strength : {0.25, 0.5, 1.0}) {
+    Clay clay;
+    addSolid(clay, Shape::box, {0, 0, 0}, {9, 4, 4});
+    Push push{toolOf(Shape::ellipsoid, {24, 24, 24}), Role::grip, {}, {}};
+    push.strength = strength;
+    push.stroke.points = {{{0, 0, 0}, 1}, {{0, 8, 0}, 1}};
+    push.stroke.rotations = {{1, 0, 0, 0}, glm::angleAxis(0.5, glm::dvec3(0, 0, 1))};
+    run(clay, push);
+    const Measures after = measure(clay);
+    EXPECT_NEAR(after.centre.y, 8 * strength, 0.15) << strength;
+    double skew = 0, spread = 0;
+    for (int n = 0; n < 41 * 41; ++n) {
+      const double i = n / 41 - 20, j = n % 41 - 16;
+      for (int k = -5; k <= 5; ++k) {
+        const double v = clay.value({n / 41 - 20, n % 41 - 16, k});
+        skew += v * (i - after.centre.x) * (j - after.centre.y);
+        spread += v * ((i - after.centre.x) * (i - after.centre.x) -
+                       (j - after.centre.y) * (j - after.centre.y));
+      }
+    }
+    EXPECT_NEAR(0.5 * std::atan2(2 * skew, spread), 0.5 * strength, 0.03) << strength;
+  }
+}
+
 }  // namespace
 }  // namespace bozzetto::clay::testing

@@ -34,7 +34,8 @@ void requireValid(const Support& support);
 /// Throws Error for one that is not wholly in the workspace.
 void requireInWorkspace(const Support& support, double spacing);
 
-/// What the tool does: its role, and how strongly a swelling one swells, 0 … 1.
+/// What the tool does: its role, and 0 … 1 how strongly a swelling one swells, or as what share of
+/// its way a gripping one leads what it holds.
 struct Doing {
   Role role = Role::push;
   double strength = 0.5;
