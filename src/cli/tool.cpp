@@ -138,8 +138,11 @@ std::filesystem::path placeFor(const ShelfTool& tool, const MakeArguments& argum
   const std::string name = out.stem().string();
   if (out.extension() != ".bzt")
     throw Error(out.string() + ": tools are .bzt files, another name found");
-  if (arguments.replace) return out;
   std::error_code ignored;
+  const auto folder = out.parent_path();
+  if (!arguments.out.empty() && !folder.empty() && !std::filesystem::is_directory(folder, ignored))
+    throw Error(out.string() + ": no such folder");
+  if (arguments.replace) return out;
   if (std::filesystem::exists(out, ignored)) refuseTaken(out);
   if (isStarter(name) && (arguments.out.empty() || isInLibrary(out)))
     throw Error(name + ": a starter is called so, and recordings that say shelf:" + name +
@@ -180,9 +183,29 @@ std::string_view placeOf(ToolEntry::Place place) {
   return "";
 }
 
+// A list holds what can be used; of the rest it is said why.
+void tellUnreadable(const std::vector<ToolEntry>& listed) {
+  std::error_code ignored;
+  for (const auto& file : std::filesystem::directory_iterator(userToolFolder(), ignored)) {
+    const std::string name = file.path().stem().string();
+    const bool there = std::ranges::any_of(listed, [&](const ToolEntry& entry) {
+      return entry.place == ToolEntry::Place::user && entry.name == name;
+    });
+    if (there || file.path().extension() != ".bzt") continue;
+    try {
+      loadTool(file.path());
+    } catch (const Error& error) {
+      ProgressBar().note(std::string("left out: ") + error.what());
+    }
+  }
+}
+
 void list(const std::string& query, bool json) {
   Json entries = Json::array();
-  for (const ToolEntry& entry : ToolLibrary().list(query)) {
+  const std::vector<ToolEntry> all = ToolLibrary().list();
+  tellUnreadable(all);
+  for (const ToolEntry& entry : all) {
+    if (!matches(entry, query)) continue;
     if (json) {
       entries.push_back(
           {{"name", entry.name}, {"tags", entry.tags}, {"place", placeOf(entry.place)}});

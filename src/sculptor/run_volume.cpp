@@ -1,4 +1,5 @@
 // combine, cut and text: volumes with volumes.
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/io/relief.hpp"
 #include "sculptor/dab_counts.hpp"
 #include "sculptor/run.hpp"
@@ -62,7 +63,9 @@ void run(const TextOperation& operation, Workbench<Side>& bench, const Telling& 
   TextOptions options;
   if (!operation.font.empty()) options.font = bench.tools.folder / operation.font;
   const double spacing = bench.field().scale.spacing;
-  if (!(operation.size > 0)) throw Error("text: size above 0 expected");
+  if (!(operation.size > 0) || !(operation.depth > 0))
+    throw Error("text: size " + numberText(operation.size) + " and depth " +
+                numberText(operation.depth) + " found, numbers above 0 expected");
   const GreyImage image = drawText(operation.text, options);
   const double width = image.width * operation.size / options.pixels;
   const Clay letters = standingText(image, {width, operation.depth, spacing, operation.colour});

@@ -194,6 +194,7 @@ ShelfTool ToolLibrary::load(const ToolSource& source, Progress& progress) const 
   requireValid(source);
   if (!source.text.empty()) return letters(folder, source, progress);
   if (source.from.starts_with(kShelf)) return find(source.from.substr(kShelf.size()), progress);
+  if (source.from.empty()) throw Error("tool: no source found, a file or shelf:NAME expected");
   const fs::path path = folder / source.from;
   const std::string extension = lower(path.extension().string());
   if (extension == ".bzt") return loadTool(path, progress);
@@ -253,7 +254,7 @@ std::string extentOf(const Clay& clay) {
 
 // Of a source without clay, or without any in what was asked for.
 std::string whyEmpty(const ShelfTool& tool, const ToolSource& source) {
-  const std::string what = source.from.empty() ? "the clay" : source.from;
+  const std::string what = source.from.empty() ? "the document" : source.from;
   if (tool.clay.tree.empty())
     return what + (tool.preset.empty() ? "" : " is a preset and") + " holds no clay";
   const char* part = !source.patch ? "region" : source.region ? "patch of that region" : "patch";

@@ -41,6 +41,8 @@ void requireValid(const WorldRegion& region) {
 }
 
 void requireValid(const ToolSource& source) {
+  if (!source.from.empty() && !source.text.empty())
+    throw Error("tool: a file or shelf:NAME and a text found, one of them expected");
   if (source.region) requireValid(*source.region);
   if (source.patch && source.patch->plane) {
     requirePlace(source.patch->plane->at, "plane");

@@ -104,6 +104,20 @@ TEST(Tool, ofTwoThatAreMadeAtOnceOneIsThere) {
   EXPECT_EQ(folder.listing(), "t.bzt");
 }
 
+TEST(Tool, whatIsLeftOutOfTheListIsTold) {
+  const CommandFolder folder;
+  ::setenv("XDG_DATA_HOME", (folder / "").c_str(), 1);
+  ASSERT_EQ(runProgram("tool make --text A --name good").code, 0);
+  folder.write("bozzetto/tools/broken.bzt", "no scene");
+  const Outcome listed = runProgram("tool list leaf");
+  EXPECT_EQ(listed.code, 0);
+  EXPECT_NE(listed.out.find("leaf"), std::string::npos) << listed.out;
+  EXPECT_NE(listed.err.find("left out: "), std::string::npos) << listed.err;
+  EXPECT_NE(listed.err.find("broken.bzt"), std::string::npos) << listed.err;
+  EXPECT_EQ(listed.err.find("good"), std::string::npos) << listed.err;
+  ::unsetenv("XDG_DATA_HOME");
+}
+
 TEST(Tool, errorsThatNobodyReadsAreErrors) {
   const Outcome outcome = runProgram("tool make 2>&- >&-");
   EXPECT_EQ(outcome.code, 1);

@@ -104,6 +104,7 @@ TEST_F(Tools, whatIsWrongIsToldWithItsLine) {
         "{\"op\":\"tool\",\"shape\":\"freeform\",\"contact\":[0,0,0]}",
         "{\"op\":\"tool\",\"shape\":\"freeform\",\"scale\":[1,0,1]}",
         "{\"op\":\"tool\",\"rotation\":[0,0,0,0]}",
+        "{\"op\":\"combine\",\"with\":\"a.bzt\",\"text\":\"A\"}",
         "{\"op\":\"action\",\"name\":\"add\",\"strength\":1.5}",
         "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"rotations\":[[1,0,0,0],[1,0,0,0]]}",
         "{\"op\":\"shelf_keep\",\"name\":\" \"}",
