@@ -43,6 +43,8 @@ std::shared_ptr<const ToolMesh> meshFor(Shape shape, const glm::dvec3& radii, To
   }
 }
 
+constexpr int kMostRings = 64;  // of an array's copies
+
 // Where the potential falls to one half: what the tool leaves behind, roughly.
 double coreOf(Profile profile) { return profile == Profile::wyvill ? 0.5 : 0.85; }
 // Tools that move clay have their surface at their radii.
@@ -95,12 +97,17 @@ void Atelier::addRings(Overlays& overlays) const {
   }
   ring.ink = inkFor(actionNow(), sculpt.colour);
   const glm::dvec3 centre = sculpt.symmetry.centre / spacing;
-  for (const glm::dmat3& image : imagesOf(sculpt.symmetry)) {
-    RingCursor copy = ring;
-    copy.centre = centre + image * (ring.centre - centre);
-    copy.normal = image * ring.normal;
-    copy.weight = overlays.rings.empty() ? 1 : .5f;
-    overlays.rings.push_back(copy);
+  const auto& [right, up, back] = sculpt.placement.copies;
+  for (int n = 0; n < std::min(right * up * back, kMostRings); ++n) {
+    const glm::dvec3 steps(n % right, n / right % up, n / right / up);
+    const glm::dvec3 at = ring.centre + steps * sculpt.placement.copyStep / spacing;
+    for (const glm::dmat3& image : imagesOf(sculpt.symmetry)) {
+      RingCursor copy = ring;
+      copy.centre = centre + image * (at - centre);
+      copy.normal = image * ring.normal;
+      copy.weight = overlays.rings.empty() ? 1 : .5f;
+      overlays.rings.push_back(copy);
+    }
   }
 }
 

@@ -15,6 +15,11 @@ ToolSource named(const std::string& name) {
   return source;
 }
 
+const char* ownerOf(Place place) {
+  constexpr const char* owners[] = {"this scene", "your library", "the starter library"};
+  return owners[int(place)];
+}
+
 // The hand has it by its name, which means the scene's tool before others.
 bool isHeld(const Atelier& atelier, const ToolEntry& entry) {
   const SculptState& sculpt = atelier.sculpt;
@@ -63,6 +68,11 @@ void Atelier::listShelf() {
 
 void Atelier::takeTool(const ToolEntry& entry) {
   touch();
+  const ShelfCard* meant = cardNamed(shelf.cards, entry.name);
+  if (meant != nullptr && meant->entry.place != entry.place)
+    return say(Message::Kind::error, entry.name + ": " + ownerOf(meant->entry.place) +
+                                         " has a tool of that name, which hides this one. "
+                                         "Rename that first");
   begin("Taking " + entry.name,
         [source = named(entry.name)](ClayDesk& desk, Progress&) { desk.takeTool(source); });
 }
@@ -89,7 +99,11 @@ void Atelier::keepClay(const std::string& name, std::vector<std::string> tags,
   if (wanted == ShelfDrawer::Part::insideBox && options.boxSize)
     operation.source.region = WorldRegion{options.boxSize->low, options.boxSize->high, {}};
   if (wanted == ShelfDrawer::Part::insideLasso && lasso_) operation.source.region = part();
-  keep(std::move(operation));
+  // What the hand has by that name means the new one from now on.
+  keep(std::move(operation), [this, name, wanted] {
+    if (wanted == ShelfDrawer::Part::toolInHand || !sculpt.isFreeform()) return;
+    if (sculpt.freeform->name == name) takeTool({name, {}, Place::document});
+  });
 }
 
 void Atelier::choosePart(ShelfDrawer::Part wanted) {
@@ -165,6 +179,10 @@ void Atelier::keepLetters(const std::string& text, double size, double depth) {
 void Atelier::renameTool(const ToolEntry& entry, const std::string& to,
                          std::vector<std::string> tags) {
   touch();
+  const ShelfCard* taken = to == entry.name ? nullptr : cardNamed(shelf.cards, to);
+  if (taken != nullptr)
+    return say(Message::Kind::error, to + ": " + ownerOf(taken->entry.place) +
+                                         " has a tool of that name. Another name is needed");
   const auto work = [entry, to, tags = std::move(tags)](ClayDesk& desk, Progress&) {
     if (entry.place == Place::user) return desk.renameUserTool(entry.name, to);
     desk.apply(ShelfRenameOperation{entry.name, to, tags});

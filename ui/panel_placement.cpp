@@ -95,7 +95,9 @@ void stampPlot(StampOptions& stamp, double iso) {
 void stampSection(Atelier& atelier) {
   StampOptions& stamp = atelier.sculpt.stamp;
   stampPlot(stamp, atelier.status().scale.iso);
+  ImGui::BeginDisabled(stamp.conserving);  // then it is found
   slider("Crest", stamp.height, {0, 1, "%", 100, 0}, "How high the clay rises round the print.");
+  ImGui::EndDisabled();
   slider("Rise", stamp.rise, {0.01, 1, "%", 100, 0},
          "From the print's rim to the crest, of the tool's radius.");
   slider("Fall", stamp.fall, {0.01, 2, "%", 100, 0},

@@ -145,6 +145,12 @@ bool field(const char* id, const char* hint, std::string& text, ShelfDrawer& dra
   return ImGui::InputTextWithHint(id, hint, &text, ImGuiInputTextFlags_EnterReturnsTrue);
 }
 
+// Where nothing is given the field keeps the keyboard: letters are no shortcuts there.
+bool isGiven(ShelfDrawer& drawer, const std::string& text, bool done) {
+  if (done && text.empty()) drawer.formOpened = true;
+  return done && !text.empty();
+}
+
 void keepNow(Atelier& atelier) {
   ShelfDrawer& drawer = atelier.shelf;
   atelier.keepClay(drawer.name, tagsOf(drawer.tags), drawer.part,
@@ -197,7 +203,7 @@ void keepForm(Atelier& atelier) {
   }
   const float width = ImGui::GetContentRegionAvail().x;
   done |= button("Keep", {width, 0}, ButtonKind::accent, "Puts it on this scene's shelf.");
-  if (!done || drawer.name.empty()) return;
+  if (!isGiven(drawer, drawer.name, done)) return;
   if (drawer.part == ShelfDrawer::Part::insideLasso && !atelier.lasso())
     return atelier.choosePart(drawer.part);
   const ShelfCard* taken = cardNamed(drawer.cards, drawer.name);
@@ -260,7 +266,7 @@ void lettersForm(Atelier& atelier) {
          "How far they stand out.");
   const float width = ImGui::GetContentRegionAvail().x;
   done |= button("Keep", {width, 0}, ButtonKind::accent, "Puts the letters on the shelf.");
-  if (!done || drawer.text.empty()) return;
+  if (!isGiven(drawer, drawer.text, done)) return;
   atelier.keepLetters(drawer.text, drawer.letterSize, drawer.letterDepth);
   drawer.form = Form::none;
 }
@@ -271,7 +277,7 @@ void renameForm(Atelier& atelier) {
   if (drawer.about->place == Place::document) done |= field("##tags", "Tags", drawer.tags, drawer);
   const float width = ImGui::GetContentRegionAvail().x;
   done |= button("Rename", {width, 0}, ButtonKind::accent, "Gives it that name.");
-  if (!done || drawer.name.empty()) return;
+  if (!isGiven(drawer, drawer.name, done)) return;
   atelier.renameTool(*drawer.about, drawer.name, tagsOf(drawer.tags));
   drawer.form = Form::none;
 }

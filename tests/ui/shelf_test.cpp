@@ -172,7 +172,13 @@ TEST_F(Shelf, aTakenNameIsAskedAbout) {
   EXPECT_EQ(atelier_.shelf.form, ShelfDrawer::Form::none);
   keepAgain();
   settle();
-  click({at.low.x + 64, at.high.y - 136});  // Keep both
+  click({at.low.x + 64, at.high.y - 136});  // Cancel
+  EXPECT_EQ(atelier_.shelf.form, ShelfDrawer::Form::keep) << "for another name";
+  tap(KeyCode::escape);
+  settle();
+  keepAgain();
+  settle();
+  click({at.low.x + 64, at.high.y - 170});  // Keep both
   EXPECT_NE(card("ball 2"), nullptr);
   EXPECT_EQ(card("ball")->entry.tags, std::vector<std::string>{"first"});
 }

@@ -157,6 +157,36 @@ TEST_F(Shelf, aSceneTakesItsToolsAlong) {
   }
 }
 
+// A name means one tool: what the ghost shows is what acts.
+TEST_F(Shelf, aNameIsNotGivenTwice) {
+  atelier_.keepClay("ball", {}, ShelfDrawer::Part::allClay);
+  settle();
+  atelier_.renameTool(card("ball")->entry, "leaf", {});
+  settle();
+  EXPECT_NE(card("ball"), nullptr);
+  EXPECT_FALSE(atelier_.messages().empty());
+  take("leaf");
+  const auto starter = atelier_.sculpt.freeform->sculpture;
+  atelier_.keepClay("leaf", {}, ShelfDrawer::Part::allClay);  // as after the question
+  settle();
+  EXPECT_NE(atelier_.sculpt.freeform->sculpture, starter) << "the hand has what acts";
+  const auto mine = atelier_.sculpt.freeform->sculpture;
+  atelier_.takeTool({"leaf", {}, ToolEntry::Place::starter});
+  settle();
+  EXPECT_EQ(atelier_.sculpt.freeform->sculpture, mine) << "that one is hidden";
+}
+
+TEST_F(Shelf, copiesHaveRings) {
+  moveTo(middle());
+  settle();
+  EXPECT_EQ(atelier_.overlays().rings.size(), 1u);
+  atelier_.sculpt.placement.copies = {3, 2, 1};
+  atelier_.sculpt.placement.copyStep = glm::dvec3(10);
+  const Overlays overlays = atelier_.overlays();
+  ASSERT_EQ(overlays.rings.size(), 6u);
+  EXPECT_EQ(overlays.rings[5].centre - overlays.rings[0].centre, glm::dvec3(20, 10, 0));
+}
+
 TEST_F(Shelf, onePrintIsWhatWasDragged) {
   SculptState& sculpt = atelier_.sculpt;
   sculpt.placement.jitter.size = 0.5;
