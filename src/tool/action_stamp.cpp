@@ -6,13 +6,6 @@
 namespace bozzetto {
 namespace {
 
-// A bulge of density n lifts clay whose density falls by ½ a cell, as fills leave it, by n / ½
-// cells. That way is what counts, however steep the clay has become: density added as such would
-// catch on the cells, and rims of many dabs had terraces.
-constexpr float kPerCell = 2.0f;
-constexpr float kFarthest = 0.577f;  // cells a dab: beyond 1/√3 corners outgrow their neighbours
-constexpr float kThinnest = 1e-4f;   // support that would grow a cell a dab
-
 enum class Rise { densities, climbs };
 
 // The print of a sculpture has its wall: what is pressed often is not pressed beyond it. Its
@@ -20,14 +13,15 @@ enum class Rise { densities, climbs };
 struct SculptedStampRule {
   const float* def;
   const float* body;
+  const float* swept;
   float strength;
   Lowpass lowpass;
 
   BOZZETTO_KERNEL Corner operator()(Corner old, int n) const {
     const float amount = pull(strength, 1.0f, old.attributes) * positive(def[n]);
-    const float climbs = lesser(amount * kPerCell, kFarthest) * lowpass.climb[n];
-    const float rise = pick(lessMask(old.value + climbs, kThinnest), 0.0f, climbs);
-    const float risen = lesser(old.value + rise, greater(old.value, 1.0f));
+    const float climbs = lesser(amount * kClimbPerDensity, kFarthestClimb) * lowpass.climb[n];
+    const float rise = pick(lessMask(old.value + climbs, kThinnestClay), 0.0f, climbs);
+    const float risen = lesser(old.value + rise, greater(old.value, 1.0f - swept[n]));
     const float pressed = risen - pull(strength, body[n], old.attributes);
     const float wall = lesser(risen, 1.0f - body[n]);
     const float value = pick(positiveMask(body[n]), greater(pressed, positive(wall)), risen);
@@ -39,6 +33,7 @@ struct SculptedStampRule {
 template <Rise kRise>
 struct StampRule {
   const float* def;
+  const float* swept;  // null where densities rise
   float strength;
   Lowpass lowpass;
   float perIso;  // 1 / iso
@@ -54,8 +49,9 @@ struct StampRule {
 
   BOZZETTO_KERNEL float raised(float old, float amount, int n) const {
     if constexpr (kRise == Rise::densities) return amount * riseWeight(lowpass.value[n] * perIso);
-    const float climbs = lesser(amount * kPerCell, kFarthest) * lowpass.climb[n];
-    return pick(lessMask(old + climbs, kThinnest), 0.0f, climbs);
+    const float rises = amount * (1.0f - swept[n]);
+    const float climbs = lesser(rises * kClimbPerDensity, kFarthestClimb) * lowpass.climb[n];
+    return pick(lessMask(old + climbs, kThinnestClay), 0.0f, climbs);
   }
 };
 
@@ -70,10 +66,11 @@ class Stamp final : public Action {
     return !block.present || (block.uniform && holdOf(block.attributes) == 255);
   }
   bool wantsLowpass() const override { return true; }
-  bool wantsBody() const override { return rise_ == Rise::climbs && body_ == ToolBody::sculpture; }
+  bool wantsBody() const override { return rise_ == Rise::climbs; }
   Outcome apply(const BlockView& block, float strength) const override {
-    if (wantsBody())
-      return run(block, SculptedStampRule{block.potential, block.body, strength, *block.lowpass});
+    if (rise_ == Rise::climbs && body_ == ToolBody::sculpture)
+      return run(block, SculptedStampRule{block.potential, block.body, block.swept, strength,
+                                          *block.lowpass});
     return rise_ == Rise::climbs ? with<Rise::climbs>(block, strength)
                                  : with<Rise::densities>(block, strength);
   }
@@ -81,7 +78,8 @@ class Stamp final : public Action {
  private:
   template <Rise kRise>
   Outcome with(const BlockView& block, float strength) const {
-    return run(block, StampRule<kRise>{block.potential, strength, *block.lowpass, perIso_});
+    return run(block,
+               StampRule<kRise>{block.potential, block.swept, strength, *block.lowpass, perIso_});
   }
 
   Rise rise_;

@@ -4,12 +4,14 @@
 #include "tool/lowpass.hpp"
 #include "tool/mass_units.hpp"
 #include "tool/stamp_depth.hpp"
+#include "tool/swept.hpp"
 
 namespace bozzetto {
 
-/// One dab. The bulge's height is found so that what rises weighs what goes; where the clay is full
-/// before that, the rim widens step by step to four reference radii, then rises cell by cell. What
-/// finds no clay to rise from is missing, and the ledger shows it. O(corners of the widest rim).
+/// One dab. The bulge's height is found so that what rises weighs what goes; where it would be
+/// higher than was asked for, the rim widens step by step to four reference radii. The clay climbs
+/// as under plain stamps (action_stamp), layer upon layer. What finds no clay to rise from is
+/// missing, and the ledger shows it. O(corners of the widest rim).
 template <int Side>
 class ConservingStamp {
  public:
@@ -19,54 +21,62 @@ class ConservingStamp {
     StampOptions options;
     double iso;
     double strength;
+    Swept<Side>* swept;  ///< by dabs before; this one adds itself; null: rises there too
   };
   ConservingStamp(Edit<CornerBlock<Side>>& edit, const Dab& dab) : edit_(&edit), dab_(&dab) {}
   void apply(DabReport& report);
 
  private:
   struct Riser {  // a corner that may rise
-    Key at, block;
+    Key block;
     int corner;
     Attributes attributes;
   };
   using Block = CornerBlock<Side>;
-  using Depths = std::array<float, Block::kCount>;
+  struct Place {  // a block as the tool lies in it
+    alignas(64) std::array<float, Block::kCount> depth, body, curve, most;
+    bool rises = false;  // somewhere
+  };
 
   void reachOut(double widening);
   template <class Visit>
   void forBlocks(Visit&& visit);
   bool hasWall() const;
   void press();
-  void pressBlock(Key block, const Depths& depth);
+  void pressBlock(Key block, const Place& place);
+  void sweep();
   void look(double widening);
-  void lookAt(Key block, const StampCurve& curve);
-  const Depths& depthsOf(Key block);
+  void lookAt(Key block, const Place& place);
+  const Place& placeOf(Key block);
+  const SweptBlock<Side>& sweptOf(Key block) const;
+  void bend(Key block, Place& place) const;
+  Key firstOf(Key block) const;
   Neighbourhood<Side> around(Key block) const;
-  std::size_t placeOf(Key block) const;
-  std::size_t tableSize() const { return placeOf(blocks_.high + Key{1, 1, 1}) + 1; }
-  MassUnits gain(double height) const;
-  MassUnits room() const { return gain(kHighest); }
-  double heightFor(MassUnits mass) const;
-  MassUnits raise(double height, MassUnits mass);
-  MassUnits raiseRest(double height, MassUnits rest);
+  std::size_t indexOf(Key block) const;
+  std::size_t tableSize() const { return indexOf(blocks_.high + Key{1, 1, 1}) + 1; }
+  MassUnits gain(float way) const;
+  double tooHigh(MassUnits mass) const;
+  double widened(double widening, MassUnits mass) const;
+  float wayFor(MassUnits mass) const;
+  MassUnits raise(float way, MassUnits mass);
+  MassUnits raiseRest(float way, MassUnits rest);
   void write(Key block, int corner, float value, Attributes attributes);
 
-  static constexpr double kHighest = 1e4;
   Edit<Block>* edit_;
   const Dab* dab_;
 
-  // As far as the rim reaches: its blocks and, once asked for, how deep their corners lie. Both
+  // As far as the rim reaches: its blocks and, once asked for, how the tool lies in them. Both
   // tables have a rim of one.
   double widening_ = 0;
   std::unique_ptr<Potential> depth_;
   LocalFrame frame_;
   KeyBox blocks_;
-  std::vector<std::unique_ptr<Depths>> depths_;
+  std::vector<std::unique_ptr<Place>> places_;
   std::vector<const Block*> table_;
 
   std::vector<Riser> risers_;
-  std::vector<float> value_, shape_;  // of the risers; shape: density per unit of height
-  MassUnits held_ = 0;                // by the risers
+  std::vector<float> value_, climb_, most_;  // of the risers; climb: density per cell of way
+  MassUnits held_ = 0;                       // by the risers
   std::vector<Key> touched_;
   Block* open_ = nullptr;  // the last of them
   MassUnits pressed_ = 0;

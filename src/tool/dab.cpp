@@ -5,6 +5,7 @@
 #include "tool/block_work.hpp"
 #include "tool/local_count.hpp"
 #include "tool/lowpass.hpp"
+#include "tool/swept.hpp"
 
 namespace bozzetto {
 namespace {
@@ -68,6 +69,11 @@ struct DabWalker<Side>::Walk {
     return dab.potential->misses(frame, low, low + Key{rim, rim, run.length * Side - 1});
   }
 
+  bool bodyMisses(Key block) const {
+    const Key low = offsetOf(block);
+    return dab.potential->bodyMisses(frame, low, low + Key{Side - 1, Side - 1, Side - 1});
+  }
+
   std::int32_t columnLength() const { return blocks.high.k - blocks.low.k + 1; }
 
   // Place of a block in the table of the neighbourhood.
@@ -127,8 +133,18 @@ void DabWalker<Side>::listPiece(const Walk& walk, KeyRun piece, const Block* blo
   for (std::int32_t n = 0; n < piece.length; ++n) {
     const Key key = piece.key + Key{0, 0, n};
     if (piece.length > 1 && walk.misses({key, 1})) continue;
-    work_.push_back({key, block, nullptr, {}});
+    work_.push_back({key, block, nullptr, {}, false, sweptAt(walk, key)});
   }
+}
+
+// Made here, before threads look at their own ones only.
+template <int Side>
+SweptBlock<Side>* DabWalker<Side>::sweptAt(const Walk& walk, Key block) {
+  auto* const swept = walk.dab.swept;
+  if (swept == nullptr) return nullptr;
+  if (!walk.bodyMisses(block)) return &(*swept)[block];
+  const auto found = swept->find(block);
+  return found == swept->end() ? nullptr : &found->second;
 }
 
 // The blocks of the dab and a rim of one, in a dense table.
@@ -169,11 +185,16 @@ void DabWalker<Side>::compute(const Walk& walk, BlockWork<Side>& work) const {
         for (int k = -1; k <= 1; ++k)
           near[n++] = neighbourhood_[walk.placeOf(work.key + Key{i, j, k})];
     const bool alike = std::all_of(near.begin(), near.end(), [&](auto* b) { return b == near[0]; });
-    if (alike && action.leaves(summaryOf(near[0]))) return;
+    if (alike && action.leaves(summaryOf(near[0]))) return sweep(walk, work);
   }
 
-  alignas(64) float potential[Block::kCount];
-  walk.dab.potential->evaluate(walk.frame, walk.offsetOf(work.key), Side, potential);
+  alignas(64) float potential[Block::kCount], body[Block::kCount];
+  const Key first = walk.offsetOf(work.key);
+  if (action.wantsBody()) {
+    walk.dab.potential->evaluateWithBody(walk.frame, first, Side, potential, body);
+  } else {
+    walk.dab.potential->evaluate(walk.frame, first, Side, potential);
+  }
 
   LowpassBuffer<Side> buffer;
   if (action.wantsLowpass()) lowpass<Side>(near, buffer);
@@ -184,15 +205,22 @@ void DabWalker<Side>::compute(const Walk& walk, BlockWork<Side>& work) const {
   view.lowpass = &buffer.result;
   alignas(64) Attributes colours[Block::kCount];
   if (action.wantsColours()) {
-    walk.dab.potential->evaluateColours(walk.frame, walk.offsetOf(work.key), Side, colours);
+    walk.dab.potential->evaluateColours(walk.frame, first, Side, colours);
     view.toolColours = colours;
   }
-  alignas(64) float body[Block::kCount];
-  if (action.wantsBody()) {
-    walk.dab.potential->evaluateBody(walk.frame, walk.offsetOf(work.key), Side, body);
-    view.body = body;
-  }
+  view.body = body;
+  view.swept = (work.swept == nullptr ? unswept<Side>() : *work.swept).shares();
   work.outcome = action.apply(view, walk.dab.strength);
+  if (work.swept != nullptr) work.swept->add(body);
+}
+
+// Where the tool goes through the air, or through what is held.
+template <int Side>
+void DabWalker<Side>::sweep(const Walk& walk, const BlockWork<Side>& work) const {
+  if (work.swept == nullptr || walk.bodyMisses(work.key)) return;
+  alignas(64) float body[Block::kCount];
+  walk.dab.potential->evaluateBody(walk.frame, walk.offsetOf(work.key), Side, body);
+  work.swept->add(body);
 }
 
 template class DabWalker<1>;

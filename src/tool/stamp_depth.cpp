@@ -125,6 +125,7 @@ class StampDepth final : public Potential {
       : tool_(makePotential(tool)),
         outside_(makeOutside(tool, reach)),
         radii_(tool.radii),
+        sculpted_(tool.sculpture != nullptr),
         iso_(static_cast<float>(reach.iso)) {
     reach_ = tool_->reach();
     if (outside_ == nullptr) return;
@@ -135,6 +136,8 @@ class StampDepth final : public Potential {
     }
     const double R = tool.sculpture ? tool.sculpture->referenceRadius() : referenceRadius(tool);
     const double inset = tool.sculpture ? 1 : surfaceGauge(tool.profile, reach.iso);
+    wall_ = inset + (reach.wall * R + 0.01) / radii_;
+    perDepth_ = static_cast<float>(1 / reach.wall);
     const glm::dvec3 wanted = inset * radii_ + reach.rim * R * across + 1.0;
     reach_ = glm::max(reach_, wanted - radii_);
   }
@@ -143,6 +146,42 @@ class StampDepth final : public Potential {
   glm::dvec3 reach() const override { return reach_; }
 
   bool misses(const LocalFrame& frame, Key low, Key high) const override {
+    return beyond(1.0001 + reach_ / radii_, frame, low, high);
+  }
+  bool bodyMisses(const LocalFrame& frame, Key low, Key high) const override {
+    if (sculpted_) return tool_->misses(frame, low, high);
+    return beyond(wall_, frame, low, high);
+  }
+
+  void evaluateBody(const LocalFrame& frame, Key first, int side, float* body) const override {
+    if (sculpted_ || outside_ == nullptr) return tool_->evaluate(frame, first, side, body);
+    alignas(64) float depth[512];
+    evaluateWithBody(frame, first, side, depth, body);
+  }
+
+  void evaluateWithBody(const LocalFrame& frame, Key first, int side, float* depth,
+                        float* body) const override {
+    const int count = side * side * side;
+    if (sculpted_ || outside_ == nullptr) {
+      tool_->evaluate(frame, first, side, body);
+      return depthOf(frame, first, side, body, depth);
+    }
+    evaluate(frame, first, side, depth);
+    for (int n = 0; n < count; ++n) {
+      const float t = positive(1.0f - positive(depth[n] - (1 - iso_)) * perDepth_);
+      body[n] = (t * t) * (3.0f - 2.0f * t);
+    }
+  }
+
+  void evaluate(const LocalFrame& frame, Key first, int side, float* depth) const override {
+    alignas(64) float covered[512];
+    tool_->evaluate(frame, first, side, covered);
+    depthOf(frame, first, side, covered, depth);
+  }
+
+ private:
+  // The local box of these half sides has nothing of the corners' box.
+  static bool beyond(const glm::dvec3& half, const LocalFrame& frame, Key low, Key high) {
     for (int axis = 0; axis < 3; ++axis) {
       double centre = frame.first[axis], extent = 0;
       for (const Axis grid : kAxes) {
@@ -150,19 +189,14 @@ class StampDepth final : public Potential {
         centre += 0.5 * (double(low[grid]) + double(high[grid])) * step;
         extent += 0.5 * (double(high[grid]) - double(low[grid])) * std::abs(step);
       }
-      if (std::abs(centre) - extent > 1.0001 + reach_[axis] / radii_[axis]) return true;
+      if (std::abs(centre) - extent > half[axis]) return true;
     }
     return false;
   }
 
-  void evaluateBody(const LocalFrame& frame, Key first, int side, float* body) const override {
-    tool_->evaluate(frame, first, side, body);
-  }
-
-  void evaluate(const LocalFrame& frame, Key first, int side, float* depth) const override {
-    alignas(64) float covered[512];
+  void depthOf(const LocalFrame& frame, Key first, int side, const float* covered,
+               float* depth) const {
     const int count = side * side * side;
-    tool_->evaluate(frame, first, side, covered);
     const bool inside = std::all_of(covered, covered + count, [&](float p) { return p >= iso_; });
     if (outside_ == nullptr || inside) {
       for (int n = 0; n < count; ++n) depth[n] = 1 - covered[n];
@@ -173,10 +207,12 @@ class StampDepth final : public Potential {
       depth[n] = covered[n] < iso_ ? (1 - iso_) + depth[n] : 1 - covered[n];
   }
 
- private:
   std::unique_ptr<Potential> tool_;
   std::unique_ptr<Outside> outside_;
   glm::dvec3 radii_, reach_;
+  bool sculpted_;
+  glm::dvec3 wall_{1};  // of primitives: where it ends, ÷ radii
+  float perDepth_ = 0;  // it falls so much
   float iso_;
 };
 
@@ -184,23 +220,36 @@ class StampDepth final : public Potential {
 class StampPotential final : public Potential {
  public:
   StampPotential(const ToolShape& tool, const StampOptions& options, double iso)
-      : depth_(tool, {options.profile, iso, options.rise + options.fall}), curve_(options, iso) {}
+      : depth_(tool, {options.profile, iso, options.rise + options.fall, options.rise}),
+        curve_(options, iso) {}
   LocalFrame frame(const DabPose& pose) const override { return depth_.frame(pose); }
   glm::dvec3 reach() const override { return depth_.reach(); }
   bool misses(const LocalFrame& frame, Key low, Key high) const override {
     return depth_.misses(frame, low, high);
   }
+  bool bodyMisses(const LocalFrame& frame, Key low, Key high) const override {
+    return depth_.bodyMisses(frame, low, high);
+  }
   void evaluateBody(const LocalFrame& frame, Key first, int side, float* body) const override {
     depth_.evaluateBody(frame, first, side, body);
   }
+  void evaluateWithBody(const LocalFrame& frame, Key first, int side, float* def,
+                        float* body) const override {
+    depth_.evaluateWithBody(frame, first, side, def, body);
+    deform(side, def);
+  }
   void evaluate(const LocalFrame& frame, Key first, int side, float* def) const override {
     depth_.evaluate(frame, first, side, def);
+    deform(side, def);
+  }
+
+ private:
+  void deform(int side, float* def) const {
     const int count = side * side * side;
     for (int n = 0; n < count; ++n)
       def[n] = static_cast<float>(curve_(static_cast<double>(def[n])));
   }
 
- private:
   StampDepth depth_;
   StampCurve curve_;
 };

@@ -1,9 +1,16 @@
-// Where a stamp's bulge may rise: from clay, never in the air (algorithms.md §1).
+// Where a stamp's bulge may rise, and how: from clay, never in the air (algorithms.md §1).
 #pragma once
 #include "bozzetto/tool/action.hpp"
 #include "tool/corner_loop.hpp"
 
 namespace bozzetto {
+
+// A bulge of density n lifts clay whose density falls by ½ a cell, as fills leave it, by n / ½
+// cells. That way is what counts, however steep the clay has become: density added as such would
+// catch on the cells, and rims of many dabs had terraces.
+inline constexpr float kClimbPerDensity = 2.0f;
+inline constexpr float kFarthestClimb = 0.577f;  // cells: beyond 1/√3 corners outgrow neighbours
+inline constexpr float kThinnestClay = 1e-4f;    // support that would grow a cell a dab
 
 /// smoothstep of (low-passed density) ÷ iso: 0 in air, 1 from iso up.
 BOZZETTO_KERNEL float riseWeight(float overIso) {

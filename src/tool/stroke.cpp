@@ -9,6 +9,7 @@
 #include "tool/conserving_stamp.hpp"
 #include "tool/freeform.hpp"
 #include "tool/placer.hpp"
+#include "tool/swept.hpp"
 
 namespace bozzetto {
 void requireValid(const Stroke& stroke) {
@@ -184,13 +185,14 @@ void StrokeRunner<Side>::makeDab(const Standing& standing, double strength, DabR
   }
   const bool conserving = options_.kind == ActionKind::stamp && options_.stamp.conserving;
   const ToolShape tool = sized(standing.factor);
+  Swept<Side>* const swept = action_->wantsBody() ? &swept_ : nullptr;
   for (const DabPose& pose : posesOf(standing)) {
     if (conserving) {
-      ConservingStamp<Side>(*edit_,
-                            {pose, tool, clamped(options_.stamp, scale_.iso), scale_.iso, strength})
-          .apply(report);
+      const StampOptions bulge = clamped(options_.stamp, scale_.iso);
+      ConservingStamp<Side>(*edit_, {pose, tool, bulge, scale_.iso, strength, swept}).apply(report);
     } else {
-      walker_.apply({pose, potential_.get(), action_.get(), static_cast<float>(strength)}, report);
+      walker_.apply({pose, potential_.get(), action_.get(), static_cast<float>(strength), swept},
+                    report);
     }
   }
 }

@@ -76,7 +76,8 @@ struct BlockView {
   const float* potential;
   const struct Lowpass* lowpass = nullptr;  ///< for actions that ask for it
   const Attributes* toolColours = nullptr;  ///< likewise; where the potential is above 0
-  const float* body = nullptr;              ///< likewise; the tool's own density
+  const float* body = nullptr;              ///< likewise; how much of the tool is there
+  const float* swept = nullptr;             ///< likewise; and was, in dabs of the stroke before
   /// What is known of the old corners without looking: that all with clay have the attributes
   /// `only` (or that there is none), and the least value.
   bool oneColour = false;

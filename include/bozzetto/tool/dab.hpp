@@ -1,6 +1,7 @@
 // One application of a tool (Ferley §3.2): the walk through its box, block by block.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "bozzetto/field/field.hpp"
@@ -20,6 +21,9 @@ struct DabReport {
   void add(const DabReport& other);
 };
 
+template <int Side>
+class SweptBlock;
+
 /// A block on its way from old to new.
 template <int Side>
 struct BlockWork {
@@ -27,7 +31,8 @@ struct BlockWork {
   const CornerBlock<Side>* old = nullptr;  ///< null where there is none
   Ref<CornerBlock<Side>> fresh;            ///< the new one, where it is not written in place
   Outcome outcome;
-  bool settled = false;  ///< `old` was
+  bool settled = false;               ///< `old` was
+  SweptBlock<Side>* swept = nullptr;  ///< where dabs of the stroke before have been, if any
 };
 
 /// Corners of the grid-aligned box. Throws Error when it leaves the workspace.
@@ -46,6 +51,7 @@ class DabWalker {
     const Potential* potential;
     const Action* action;
     float strength;
+    std::map<Key, SweptBlock<Side>>* swept = nullptr;  ///< for actions that ask for bodies
   };
   void apply(const Dab& dab, DabReport& report);
 
@@ -54,6 +60,8 @@ class DabWalker {
 
   void listColumn(const Walk& walk, std::int32_t bi, std::int32_t bj);
   void listPiece(const Walk& walk, KeyRun piece, const Block* block);
+  SweptBlock<Side>* sweptAt(const Walk& walk, Key block);
+  void sweep(const Walk& walk, const BlockWork<Side>& work) const;
   void gatherNeighbourhood(const Walk& walk);
   void compute(const Walk& walk);
   void compute(const Walk& walk, BlockWork<Side>& work) const;

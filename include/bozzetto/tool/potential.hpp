@@ -62,9 +62,19 @@ class Potential {
   virtual bool coloured() const { return false; }
   virtual void evaluateColours(const LocalFrame&, Key, int, Attributes*) const {}
 
-  /// The tool's own density there, where the potential is made from it (stamps).
+  /// How much of the tool itself is there, 0…1, where the potential is made from it (stamps).
   virtual void evaluateBody(const LocalFrame& frame, Key first, int side, float* body) const {
     evaluate(frame, first, side, body);
+  }
+  /// Both at once.
+  virtual void evaluateWithBody(const LocalFrame& frame, Key first, int side, float* potential,
+                                float* body) const {
+    evaluate(frame, first, side, potential);
+    evaluateBody(frame, first, side, body);
+  }
+  /// True only when nothing of the tool itself is in the box.
+  virtual bool bodyMisses(const LocalFrame& frame, Key low, Key high) const {
+    return misses(frame, low, high);
   }
 };
 

@@ -116,7 +116,8 @@ class StrokeRunner {
   Edit<CornerBlock<Side>>* edit_;
   FieldScale scale_;
   DabWalker<Side> walker_;
-  ToolShape tool_;  // radii in cells
+  std::map<Key, SweptBlock<Side>> swept_;  // by stamps, in images of the dab too
+  ToolShape tool_;                         // radii in cells
   std::unique_ptr<Potential> potential_;
   std::unique_ptr<Action> action_;
   double factor_ = 1;  // of the size that the potential is for
