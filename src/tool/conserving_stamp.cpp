@@ -65,7 +65,7 @@ void ConservingStamp<Side>::reachOut(double widening) {
   widening_ = widening;
   const StampOptions& o = dab_->options;
   const double rim = std::min(kWidest, widening * (o.rise + o.fall));
-  depth_ = makeStampDepth(dab_->tool, {o.profile, dab_->iso, rim, o.rise});
+  depth_ = makeStampDepth(dab_->tool, {o.profile, dab_->iso, rim, o.rise + o.fall});
   frame_ = depth_->frame(dab_->pose);
   const KeyBox box = dabBox(influenceOf(*depth_, dab_->pose));
   using Geometry = BlockGeometry<Side>;

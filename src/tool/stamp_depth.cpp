@@ -220,7 +220,8 @@ class StampDepth final : public Potential {
 class StampPotential final : public Potential {
  public:
   StampPotential(const ToolShape& tool, const StampOptions& options, double iso)
-      : depth_(tool, {options.profile, iso, options.rise + options.fall, options.rise}),
+      : depth_(tool,
+               {options.profile, iso, options.rise + options.fall, options.rise + options.fall}),
         curve_(options, iso) {}
   LocalFrame frame(const DabPose& pose) const override { return depth_.frame(pose); }
   glm::dvec3 reach() const override { return depth_.reach(); }

@@ -10,7 +10,7 @@ struct StampReach {
   StampProfile profile = StampProfile::radius;
   double iso = 0.5;
   double rim = 0.5;   ///< how far outside the tool d is wanted, in reference radii
-  double wall = 0.2;  ///< how far outside a primitive's body fades, likewise
+  double wall = 0.5;  ///< how far outside a primitive's body fades, likewise
 };
 
 /// A potential whose values are d: 0 at the core, 1 − iso on the surface, growing outward; beyond
