@@ -115,6 +115,7 @@ void ClayDesk::dropUserTool(const std::string& name) {
 }
 
 void ClayDesk::renameUserTool(const std::string& name, const std::string& to) {
+  if (isStarter(to)) throw Error(to + ": a starter is called so, another name expected");
   if (fs::exists(userToolFile(to))) throw Error(userToolFile(to).string() + ": exists already");
   ShelfTool tool = loadTool(userToolFile(name));
   tool.name = to;

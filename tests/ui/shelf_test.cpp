@@ -204,6 +204,9 @@ TEST_F(Shelf, toolsAreRenamedSharedAndDeleted) {
   atelier_.renameTool(card("orb")->entry, "globe", {});
   settle();
   EXPECT_TRUE(fs::exists(userToolFolder() / "globe.bzt"));
+  atelier_.renameTool(card("globe")->entry, "leaf", {});
+  settle();
+  EXPECT_TRUE(fs::exists(userToolFolder() / "globe.bzt")) << "a starter is called leaf";
   atelier_.dropTool(card("globe")->entry);
   settle();
   EXPECT_EQ(card("globe"), nullptr);
