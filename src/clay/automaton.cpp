@@ -6,6 +6,8 @@
 namespace bozzetto::clay {
 namespace {
 
+constexpr int kFairing = 4;  // passes a step
+
 // In mark2: a cell of a block that gave; the first cell of a tile with such cells, and of one that
 // is listed already.
 enum Mark : std::uint8_t { kMoved = 1, kTileMoved = 2, kTileListed = 4 };
@@ -21,10 +23,9 @@ int directionOf(const glm::dvec3& motion) {
   return 2 * axis + (motion[axis] < 0 ? 1 : 0);
 }
 
-// Of eight cells.
-bool anyAbove(const float* value, const float* cover, float threshold) {
+bool anyAbove(const float* value, const float* cover, float threshold, int count) {
   int above = 0;
-  for (int n = 0; n < Region::kTile; ++n) above += value[n] > threshold * (1 - cover[n]) ? 1 : 0;
+  for (int n = 0; n < count; ++n) above += value[n] > threshold * (1 - cover[n]) ? 1 : 0;
   return above > 0;
 }
 
@@ -193,12 +194,15 @@ void Automaton::listHot(Work& work) {
   const Region& region = work.region;
   const auto threshold = static_cast<float>(work.settings.threshold);
   tiles_.clear();
-  for (const Row& row : region.rows())
+  for (const Row& row : region.rows()) {
+    const float *value = &region.value[row.base], *cover = &region.cover[row.base];
+    if (!anyAbove(value, cover, threshold, row.count)) continue;
     for (std::int32_t k = 0; k < row.count; k += Region::kTile) {
-      if (!anyAbove(&region.value[row.base + k], &region.cover[row.base + k], threshold)) continue;
+      if (!anyAbove(value + k, cover + k, threshold, Region::kTile)) continue;
       const Key tile = Key{row.i & ~7, row.j & ~7, row.k + k} + region.box().low;
       if (tiles_.empty() || tiles_.back() != tile) tiles_.push_back(tile);
     }
+  }
 }
 
 void Automaton::spreadHeat(Region& region) {
@@ -249,7 +253,7 @@ void Automaton::run(Work& work) {
     if (given && n % 8 == 7) findHot(work);
   }
   listMoved(work.region);
-  fairing_.run(work, moved_);
+  fairing_.run(work, moved_, kFairing);
 }
 
 }  // namespace bozzetto::clay

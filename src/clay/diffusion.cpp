@@ -7,7 +7,9 @@
 namespace bozzetto::clay {
 namespace {
 
-constexpr int kSpreadings = 8;  // rounds until what found no room walks on
+constexpr int kFairing = 6;          // passes
+constexpr int kFairingInterval = 16;  // steps, and after the last
+constexpr int kSpreadings = 8;       // rounds until what found no room walks on
 
 float roomAt(const Region& region, std::size_t cell) {
   if (region.hold[cell] == kFixed) return 0;
@@ -112,13 +114,17 @@ void Diffusion::spread(Region& region, const Walk& walk, float& amount) {
   }
 }
 
-// Along one axis until all is spent, the walk is too long, or held clay is in the way.
+// Along one axis until all is spent, the walk is too long, or held clay is in the way: then back
+// half the way, or all would come out beside the held clay.
 bool Diffusion::walk(Work& work, Walk& walk, float& amount) {
   Region& region = work.region;
   const double lead = walk.normal[static_cast<int>(walk.axis)];
   const std::ptrdiff_t step = lead < 0 ? -region.strides()[walk.axis] : region.strides()[walk.axis];
   for (int n = 0; n < walk.longest; ++n) {
-    if (region.hold[walk.at + step] == kFixed) return false;
+    if (region.hold[walk.at + step] == kFixed) {
+      walk.at -= n / 2 * step;
+      return false;
+    }
     walk.at += step;
     if (roomAt(region, walk.at) < kQuantum) continue;
     if (!stencil_.empty()) spread(region, walk, amount);
@@ -128,7 +134,7 @@ bool Diffusion::walk(Work& work, Walk& walk, float& amount) {
   return false;
 }
 
-// Q splits over the axes by the normal; a walk that cannot go on turns to the next axis, and back
+// Q splits over the axes by the normal; a walk that cannot go on turns to another axis, and back
 // once all have been tried (Raffin §2; algorithms.md §3).
 void Diffusion::push(Work& work, std::size_t cell) {
   Region& region = work.region;
@@ -139,6 +145,9 @@ void Diffusion::push(Work& work, std::size_t cell) {
   double radius = 0;
   for (const PlacedTool& tool : work.moving) radius = std::max(radius, tool.radius);
   const int longest = longestWalk(work.settings, radius);
+  // Cells in turn go on along one of the two other axes, or all would come out on the same sides.
+  const Key key = region.key(cell);
+  const std::size_t next = 1 + ((key.i ^ key.j ^ key.k) & 1);
   float rest = excess;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double part = std::abs(normal[static_cast<int>(axis)]) / whole;
@@ -148,14 +157,30 @@ void Diffusion::push(Work& work, std::size_t cell) {
     Walk way{cell, cell, axis, normal, longest};
     for (int turn = 0; amount > 0 && turn < 6; ++turn) {
       if (walk(work, way, amount)) break;
-      way.axis = (way.axis + 1) % 3;
+      way.axis = (way.axis + next) % 3;
       if (turn == 2) way.normal = -way.normal, way.at = cell;
     }
   }
 }
 
+// Cells that were noted in another region, as cells of this one.
+void Diffusion::follow(const Region& region) {
+  const KeyBox box = region.box();
+  if (box.low == box_.low && box.high == box_.high) return;
+  const Key size = box_.high - box_.low + Key{1, 1, 1};
+  MovedCells same;
+  for (const auto cell : moved_) {
+    const auto n = static_cast<std::int32_t>(cell);
+    const Key key = box_.low + Key{n / (size.j * size.k), n / size.k % size.j, n % size.k};
+    if (!region.inRim(key)) same.push_back(static_cast<std::uint32_t>(region.index(key)));
+  }
+  moved_.swap(same);
+  box_ = box;
+}
+
 void Diffusion::run(Work& work) {
   Region& region = work.region;
+  follow(region);
   prepareStencil(region, work.settings);
   overlapped_.clear();
   for (const std::uint32_t cell : region.covered)
@@ -164,7 +189,12 @@ void Diffusion::run(Work& work) {
   std::sort(overlapped_.begin(), overlapped_.end());
   overlapped_.erase(std::unique(overlapped_.begin(), overlapped_.end()), overlapped_.end());
   for (const std::uint32_t cell : overlapped_) push(work, cell);
-  fairing_.run(work, moved_);
+  if (work.step % kFairingInterval == kFairingInterval - 1) fairing_.run(work, moved_, kFairing);
+}
+
+void Diffusion::finish(Work& work) {
+  follow(work.region);
+  fairing_.run(work, moved_, kFairing);
 }
 
 }  // namespace bozzetto::clay

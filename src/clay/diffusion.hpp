@@ -16,6 +16,7 @@ double diffusionReach(const Settings& settings, double radius);
 class Diffusion final : public Layer {
  public:
   void run(Work& work) override;
+  void finish(Work& work) override;
 
  private:
   struct Neighbour {
@@ -28,6 +29,7 @@ class Diffusion final : public Layer {
     glm::dvec3 normal;
     int longest;
   };
+  void follow(const Region& region);
   void prepareStencil(const Region& region, const Settings& settings);
   void push(Work& work, std::size_t cell);
   bool walk(Work& work, Walk& walk, float& amount);
@@ -35,7 +37,8 @@ class Diffusion final : public Layer {
   void spread(Region& region, const Walk& walk, float& amount);
 
   Fairing fairing_;
-  MovedCells moved_;
+  KeyBox box_;        // of the region that these are cells of
+  MovedCells moved_;  // since they were faired
   std::vector<std::uint32_t> overlapped_;
   std::vector<Neighbour> stencil_, open_;
 };

@@ -8,7 +8,6 @@
 namespace bozzetto::clay {
 namespace {
 
-constexpr int kPasses = 2;      // a step
 constexpr float kRate = 0.15f;  // less than 1/6, where shares of six neighbours begin to swing
 // A plane of clay over two cells, blurred, has slopes of 3/4: sharpened so, it is what it was.
 constexpr float kSharpen = 4.0f / 3;
@@ -119,14 +118,14 @@ void Fairing::exchange(Region& region, std::size_t cell) {
 
 // Surface diffusion: what a cell has too much falls where the surface bulges and rises where it
 // lacks, so that differences along it level curvature out and keep volume.
-void Fairing::run(Work& work, MovedCells& moved) {
+void Fairing::run(Work& work, MovedCells& moved, int passes) {
   Region& region = work.region;
   if (work.settings.scheme == Scheme::projected) list(region, moved);
   moved.clear();
   const Arrays arrays{region.value.data(),   region.cover.data(),    region.hold.data(),
                       region.scratch.data(), region.scratch2.data(), region.strides()[0],
                       region.strides()[1]};
-  for (int n = 0; n < kPasses; ++n) {
+  for (int n = 0; n < passes; ++n) {
     parallelFor(groups_.size(), 512, [&](std::size_t begin, std::size_t end) {
       for (std::size_t g = begin; g < end; ++g) measure(arrays, groups_[g]);
     });
@@ -137,6 +136,7 @@ void Fairing::run(Work& work, MovedCells& moved) {
     region.touch(cell);
   }
   cells_.clear();
+  groups_.clear();
 }
 
 }  // namespace bozzetto::clay

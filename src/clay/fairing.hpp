@@ -14,7 +14,7 @@ class Fairing {
  public:
   /// Fairs round these cells, in the scheme `projected`, and forgets them. Uses mark2 and leaves it
   /// 0.
-  void run(Work& work, MovedCells& moved);
+  void run(Work& work, MovedCells& moved, int passes);
 
  private:
   void list(Region& region, const MovedCells& moved);

@@ -48,6 +48,7 @@ void steps(benchmark::State& state, const Scene& scene) {
       cells += report.clayCells;
       visited += report.cells;
     }
+    stroke.finish();
     stroke.store();
     done += stroke.stepCount();
   }
