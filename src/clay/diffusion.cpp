@@ -7,9 +7,9 @@
 namespace bozzetto::clay {
 namespace {
 
-constexpr int kFairing = 6;          // passes
-constexpr int kFairingInterval = 16;  // steps, and after the last
-constexpr int kSpreadings = 8;       // rounds until what found no room walks on
+constexpr int kFairing = 2, kLastFairing = 4;  // passes
+constexpr int kFairingInterval = 4;            // steps
+constexpr int kSpreadings = 8;                 // rounds until what found no room walks on
 
 float roomAt(const Region& region, std::size_t cell) {
   if (region.hold[cell] == kFixed) return 0;
@@ -194,7 +194,7 @@ void Diffusion::run(Work& work) {
 
 void Diffusion::finish(Work& work) {
   follow(work.region);
-  fairing_.run(work, moved_, kFairing);
+  fairing_.run(work, moved_, kLastFairing);
 }
 
 }  // namespace bozzetto::clay

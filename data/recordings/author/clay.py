@@ -232,10 +232,6 @@ def chair():
     s.add("support", shape="box", center=[0, 58, 14], radii=[40, 20, 26])
     s.move("push", "box", [12, 12, 60], [[0, -14, 0], [0, 6, 0]])
     s.move("push", "box", [60, 12, 12], [[0, -14, 0], [0, 6, 0]])
-    s.add("tool", shape="ellipsoid", radii=[80, 80, 80])
-    s.add("action", name="smooth", strength=1)
-    for _ in range(3):
-        s.add("stroke", points=[[0, 32, 0]])
     return s
 
 
@@ -245,10 +241,6 @@ def cup():
     s.add("support", shape="box", center=[0, -8, 0], radii=[80, 8, 80])
     s.clay(layers=["automaton"])
     s.move("push", "cylinder", [17, 24, 17], [[0, 80, 0], [0, 36, 0]])
-    s.add("tool", shape="ellipsoid", radii=[80, 80, 80])
-    s.add("action", name="smooth", strength=1)
-    for _ in range(6):
-        s.add("stroke", points=[[0, 26, 0]])
     s.add("action", name="swell", strength=1)
     s.add("tool", shape="ellipsoid", radii=[4, 4, 8])
     for depth in (24.5, 25.5):
