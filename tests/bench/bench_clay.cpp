@@ -127,6 +127,13 @@ Scene raffin() {
   return scene;
 }
 
+// The tool put there at full depth: what the paper calls to act (Raffin §2, §4).
+Scene raffinAtOnce() {
+  Scene scene = raffin();
+  scene.line({0, 27, 0}, {0, 27, 0});
+  return scene;
+}
+
 Scene takai() {
   Scene scene;
   Edit<CornerBlock<8>> edit(scene.field.tree);
@@ -230,6 +237,10 @@ BENCHMARK_CAPTURE(steps, bend_on_256, bendVeryLarge())
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK_CAPTURE(steps, raffin_50, raffin())->Unit(kMs)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(steps, raffin_at_once, raffinAtOnce())
+    ->Unit(kMs)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK_CAPTURE(steps, takai_column, takai())->Unit(kMs)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(distances)->Unit(kMs)->Arg(8)->Arg(32)->Arg(75)->UseRealTime();
 BENCHMARK_CAPTURE(firstDab, sculpted, false)->Unit(kMs)->Arg(32)->Arg(75)->UseRealTime();
