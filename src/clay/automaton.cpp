@@ -23,6 +23,33 @@ int directionOf(const glm::dvec3& motion) {
   return 2 * axis + (motion[axis] < 0 ? 1 : 0);
 }
 
+// The push, if it is a moving tool's cell, then the normal's axes, the steepest first; 6: none.
+std::array<int, 4> waysOf(const Work& work, std::size_t cell) {
+  const Key key = work.region.key(cell), place = key - work.origin;
+  std::array<int, 4> ways{6, 6, 6, 6};
+  const bool isStatic = work.region.owner[cell] == kStatic;
+  for (const PlacedTool& tool : isStatic ? work.supports : work.moving) {
+    if (tool.role == Role::grip || tool.role == Role::swell || tool.cover(key) <= 0) continue;
+    if (!isStatic) ways[0] = directionOf(tool.motion.at(glm::dvec3(place.i, place.j, place.k)));
+    glm::dvec3 normal = tool.normal(key);
+    for (std::size_t n = 1; n < 4; ++n) {
+      ways[n] = directionOf(normal);
+      if (ways[n] < 6) normal[ways[n] / 2] = 0;
+    }
+  }
+  return ways;
+}
+
+// The first cell outside the tool; this one, where something closed is in the way.
+std::size_t wayOut(const Region& region, std::size_t cell, std::size_t way) {
+  std::size_t next = cell + region.neighbours()[way];
+  while (isClosed(region, next)) {
+    if (!isOfSameKind(region, next, cell)) return cell;
+    next += region.neighbours()[way];
+  }
+  return next;
+}
+
 bool anyAbove(const float* value, const float* cover, float threshold, int count) {
   int above = 0;
   for (int n = 0; n < count; ++n) above += value[n] > threshold * (1 - cover[n]) ? 1 : 0;
@@ -80,26 +107,18 @@ bool shareBlock(Region& region, const std::array<std::size_t, 8>& cells,
 }
 
 // All matter that has no room in a tool's cell goes on along the push to the first cell outside
-// (Takai §2.3); where the tool does not move, out of it the nearest way.
+// (Takai §2.3); where the tool does not move, or something closed is in that way, out of it by the
+// axes of its normal.
 void Automaton::sweepOut(Work& work) {
   Region& region = work.region;
   for (const Row& row : region.rows())
     for (std::size_t cell = row.base; cell < row.base + row.count; ++cell) {
       const float over = region.value[cell] - (1 - region.cover[cell]);
       if (region.cover[cell] <= 0 || over <= 0 || region.hold[cell] == kFixed) continue;
-      const Key key = region.key(cell), place = key - work.origin;
-      int way = 6;
-      for (const PlacedTool& tool : work.moving)
-        if (tool.role == Role::push && tool.cover(key) > 0)
-          way = directionOf(tool.motion.at(glm::dvec3(place.i, place.j, place.k)));
-      for (const auto* tools : {&work.moving, &work.supports})
-        for (const PlacedTool& tool : *tools)
-          if (way == 6 && tool.cover(key) > 0) way = directionOf(tool.normal(key));
       std::size_t next = cell;
-      while (way < 6 && region.cover[next] > 0.5f && region.hold[next] != kFixed)
-        next += region.neighbours()[static_cast<std::size_t>(way)];
-      if (next == cell && way < 6) next += region.neighbours()[static_cast<std::size_t>(way)];
-      if (way == 6 || region.hold[next] == kFixed) continue;
+      for (const int way : waysOf(work, cell))
+        if (next == cell && way < 6) next = wayOut(region, cell, static_cast<std::size_t>(way));
+      if (next == cell) continue;
       region.carry(cell, next, over);
       region.touch(cell);
       region.touch(next);

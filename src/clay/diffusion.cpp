@@ -18,11 +18,13 @@ float roomAt(const Region& region, std::size_t cell) {
 
 float floored(float x) { return std::floor(x / kQuantum) * kQuantum; }
 
-// Outwards; where the normal has no part along an axis, a little away from the tool's middle, so
-// that walks that turn there go to both sides.
+// Outwards of what the cell is in; where the normal has no part along an axis, a little away from
+// the tool's middle, so that walks that turn there go to both sides.
 glm::dvec3 normalAt(const Work& work, std::size_t cell) {
   const Key key = work.region.key(cell);
-  for (const auto* tools : {&work.moving, &work.supports})
+  auto first = &work.moving, second = &work.supports;
+  if (work.region.owner[cell] == kStatic) std::swap(first, second);
+  for (const auto* tools : {first, second})
     for (const PlacedTool& tool : *tools) {
       if (tool.role == Role::grip || tool.cover(key) <= 0) continue;
       glm::dvec3 normal = tool.normal(key);
@@ -39,6 +41,19 @@ constexpr double kLeastRadius = 4;
 
 int longestWalk(const Settings& settings, double radius) {
   return static_cast<int>(std::ceil(settings.walk * std::max(radius, kLeastRadius)));
+}
+
+// Nothing closed between: a sheet of two cells is enough to part them.
+bool opensOn(const Region& region, Key from, Key to) {
+  const Key way = to - from;
+  const int count = std::max({std::abs(way.i), std::abs(way.j), std::abs(way.k)});
+  for (int n = 1; n < count; ++n) {
+    const auto at = [&](std::int32_t whole) {
+      return static_cast<std::int32_t>(std::lround(double(whole) * n / count));
+    };
+    if (isClosed(region, region.index(from + Key{at(way.i), at(way.j), at(way.k)}))) return false;
+  }
+  return true;
 }
 
 bool touchesDense(const Region& region, std::size_t cell) {
@@ -90,11 +105,13 @@ void Diffusion::leave(Region& region, const Walk& walk, float& amount) {
 // takes what it has room for; the rest is spread again.
 void Diffusion::spread(Region& region, const Walk& walk, float& amount) {
   open_.clear();
+  const Key exit = region.key(walk.at);
   for (const Neighbour& each : stencil_) {
     const auto cell = static_cast<std::ptrdiff_t>(walk.at) + each.step;
     if (cell < 0 || cell >= region.box().count()) continue;
     const Key key = region.key(static_cast<std::size_t>(cell));
     if (region.inRim(key) || roomAt(region, cell) <= 0 || !touchesDense(region, cell)) continue;
+    if (!opensOn(region, exit, key)) continue;
     open_.push_back({cell, each.weight});
   }
   for (int round = 0; round < kSpreadings && amount > 0 && !open_.empty(); ++round) {
@@ -114,18 +131,24 @@ void Diffusion::spread(Region& region, const Walk& walk, float& amount) {
   }
 }
 
-// Along one axis until all is spent, the walk is too long, or held clay is in the way: then back
-// half the way, or all would come out beside the held clay.
+// Along one axis until all is spent, the walk is too long, or something closed is in the way: then
+// back half the way, or all would come out beside it. Out of the tool in which it starts it may go.
 bool Diffusion::walk(Work& work, Walk& walk, float& amount) {
   Region& region = work.region;
   const double lead = walk.normal[static_cast<int>(walk.axis)];
   const std::ptrdiff_t step = lead < 0 ? -region.strides()[walk.axis] : region.strides()[walk.axis];
+  bool leaving = isClosed(region, walk.at);
+  int passed = 0;
   for (int n = 0; n < walk.longest; ++n) {
-    if (region.hold[walk.at + step] == kFixed) {
-      walk.at -= n / 2 * step;
+    const std::size_t next = walk.at + step;
+    const bool closed = isClosed(region, next);
+    if (closed && !(leaving && isOfSameKind(region, next, walk.from))) {
+      walk.at -= passed / 2 * step;
       return false;
     }
-    walk.at += step;
+    leaving = closed;
+    walk.at = next;
+    if (!closed && passed++ == 0 && !walk.exit) walk.exit = next;
     if (roomAt(region, walk.at) < kQuantum) continue;
     if (!stencil_.empty()) spread(region, walk, amount);
     leave(region, walk, amount);
@@ -135,7 +158,7 @@ bool Diffusion::walk(Work& work, Walk& walk, float& amount) {
 }
 
 // Q splits over the axes by the normal; a walk that cannot go on turns to another axis, and back
-// once all have been tried (Raffin §2; algorithms.md §3).
+// once all have been tried, from where it left the tool (Raffin §2; algorithms.md §3).
 void Diffusion::push(Work& work, std::size_t cell) {
   Region& region = work.region;
   const float excess = region.value[cell] - (1 - region.cover[cell]);
@@ -154,11 +177,14 @@ void Diffusion::push(Work& work, std::size_t cell) {
     float amount = std::min(rest, quantised(excess * static_cast<float>(part)));
     if (axis == 2) amount = rest;
     rest -= amount;
-    Walk way{cell, cell, axis, normal, longest};
+    Walk way{cell, cell, axis, normal, longest, {}};
+    if (!isClosed(region, cell)) way.exit = cell;
     for (int turn = 0; amount > 0 && turn < 6; ++turn) {
       if (walk(work, way, amount)) break;
       way.axis = (way.axis + next) % 3;
-      if (turn == 2) way.normal = -way.normal, way.at = cell;
+      if (turn != 2) continue;
+      if (!way.exit) break;
+      way.normal = -way.normal, way.at = *way.exit;
     }
   }
 }

@@ -1,6 +1,8 @@
 // Raffin's layer: matter that a tool overlaps walks along the axes of the tool's normal to the
 // nearest room, the exit, and may be spread round it.
 #pragma once
+#include <optional>
+
 #include "clay/fairing.hpp"
 #include "clay/layer.hpp"
 
@@ -28,6 +30,7 @@ class Diffusion final : public Layer {
     std::size_t axis;
     glm::dvec3 normal;
     int longest;
+    std::optional<std::size_t> exit;  // the first cell outside the tool
   };
   void follow(const Region& region);
   void prepareStencil(const Region& region, const Settings& settings);

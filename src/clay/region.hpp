@@ -158,6 +158,17 @@ class Region {
   std::int64_t clayCells_ = 0;
 };
 
+/// Held, or half or more of it is a tool's or a support's: walking matter does not cross it.
+inline bool isClosed(const Region& region, std::size_t cell) {
+  return region.hold[cell] == kFixed || region.cover[cell] >= 0.5f;
+}
+/// Not held, and both in what moves or both in what stands still: the way out of one may cross the
+/// other.
+inline bool isOfSameKind(const Region& region, std::size_t cell, std::size_t other) {
+  return region.hold[cell] != kFixed &&
+         (region.owner[cell] == kStatic) == (region.owner[other] == kStatic);
+}
+
 /// The box of whole tiles that holds `box` and `rim` more tiles on every side.
 KeyBox tileBox(const KeyBox& box, std::int32_t rim);
 

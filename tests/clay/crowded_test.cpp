@@ -44,5 +44,34 @@ TEST(Crowded, SlowDensitiesAreBoundedWhereNothingGivesWay) {
   }
 }
 
+// A ball on a table, pressed from above: tables of two cells, and thick ones, are met alike.
+TEST(Crowded, SlowNothingGoesThroughATable) {
+  using enum LayerKind;
+  const std::vector<LayerKind> stacks[] = {
+      {diffusion}, {automaton}, {displacement, conservation, tension}};
+  for (const auto& layers : stacks)
+    for (const double half : {1.0, 2.0, 10.0}) {
+      SCOPED_TRACE(std::string(toText(layers.front())) + ", half " + std::to_string(half));
+      Clay clay;
+      addSolid(clay, Shape::ellipsoid, {0, 0, 0}, {14, 14, 14});
+      const double before = statistics(clay).mass;
+      Push push{toolOf(Shape::ellipsoid, {8, 8, 8}), Role::push, {}, {}};
+      push.stroke.points = {{{0, 26, 0}, 1}, {{0, 4, 0}, 1}};
+      push.setup.settings.layers = layers;
+      push.setup.supports.push_back({Shape::box, {0, -14 - half, 0}, {60, half, 60}});
+      run(clay, push);
+      EXPECT_NEAR(statistics(clay).mass / before, 1, 1e-7);
+      EXPECT_EQ(measure(clay).pieces, 1);
+      double below = 0, behind = 0;
+      for (int i = -40; i <= 40; ++i)
+        for (int k = -40; k <= 40; ++k) {
+          for (int j = -50; j < -14; ++j) below += clay.value({i, j, k});
+          for (int j = 15; j < 40; ++j) behind += clay.value({i, j, k});
+        }
+      EXPECT_EQ(below, 0);
+      EXPECT_EQ(behind, 0);
+    }
+}
+
 }  // namespace
 }  // namespace bozzetto::clay::testing
