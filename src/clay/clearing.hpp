@@ -7,11 +7,12 @@ namespace bozzetto::clay {
 
 /// More than this times its capacity is too much for a cell (clay.md §4: 1.01 hides matter).
 inline constexpr float kTooMuch = 1.002f;
+inline constexpr int kClearingSweeps = 64;
 
 class Clearing {
  public:
   /// Jacobi sweeps over the cells that hold too much, at most `sweeps`.
-  void run(Work& work, int sweeps = 64);
+  void run(Work& work, int sweeps = kClearingSweeps);
 
   /// Directions that matter in a cell of a tool may take: outwards, not into held clay, not into
   /// cells that are deeper; where none is left, any that is not held or deeper.

@@ -203,6 +203,7 @@ void Displacement::run(Work& work) {
   if (!leads || work.moving.empty()) return;
   findCosts(work);
   findDistances(work);
+  if (carrying_.run(work, pieces_)) return;
   findFollowing(work);
   for (auto& axis : region.wish)
     forRows(region.rows(), [&](const Row& row) { std::fill_n(&axis[row.base], row.count, 0.0f); });

@@ -1,5 +1,6 @@
 // The first layer's means: kept from step to step so that nothing is allocated.
 #pragma once
+#include "clay/carrying.hpp"
 #include "clay/layer.hpp"
 #include "clay/pseudo_distance.hpp"
 
@@ -7,7 +8,7 @@ namespace bozzetto::clay {
 
 class Displacement : public Layer {
  public:
-  /// Leaves in the region's `wish` how far each cell wants to move.
+  /// Carries what is free; else leaves in the region's `wish` how far each cell wants to move.
   void run(Work& work) override;
 
  private:
@@ -20,6 +21,7 @@ class Displacement : public Layer {
   void addWish(Work& work, std::size_t tool, const Cells<float>& weight);
 
   Pieces pieces_;
+  Carrying carrying_;
   std::vector<PseudoDistance> path_;    // of each moving tool, then of the static ones
   std::vector<Cells<float>> distance_;  // likewise
   std::vector<std::vector<Contact>> contacts_;

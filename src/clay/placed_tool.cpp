@@ -4,17 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "bozzetto/grid/key_box.hpp"
+
 namespace bozzetto::clay {
 namespace {
-
-KeyBox common(const KeyBox& a, const KeyBox& b) {
-  KeyBox result;
-  for (const Axis axis : kAxes) {
-    result.low[axis] = std::max(a.low[axis], b.low[axis]);
-    result.high[axis] = std::min(a.high[axis], b.high[axis]);
-  }
-  return result;
-}
 
 // Solids slope over two cells; tools for clay over one: clay wants sharp edges.
 float sharpened(float value) { return std::clamp(2 * value - 0.5f, 0.0f, 1.0f); }
@@ -63,7 +56,7 @@ std::uint8_t PlacedTool::waysOut(Key key) const {
 void CoverPainter::paintStatic(Region& region, const std::vector<PlacedTool>& supports) {
   region.covered.clear();
   staticTiles_.clear();
-  for (const PlacedTool& tool : supports) paint(region, tool, kStatic);
+  for (const PlacedTool& tool : supports) paint(region, tool, tool.box, kStatic);
   before_.clear();
   sparePastClay(region);
   staticCells_ = region.covered.size();
@@ -106,7 +99,8 @@ void CoverPainter::holdFaces(Region& region, Axis axis) {
     }
 }
 
-void CoverPainter::paintMoving(Region& region, const std::vector<PlacedTool>& moving) {
+void CoverPainter::paintMoving(Region& region, const std::vector<PlacedTool>& moving,
+                               const KeyBox& within) {
   for (auto painted = before_.rbegin(); painted != before_.rend(); ++painted) {
     region.cover[painted->cell] = painted->cover;
     region.owner[painted->cell] = painted->owner;
@@ -116,12 +110,13 @@ void CoverPainter::paintMoving(Region& region, const std::vector<PlacedTool>& mo
   for (const std::size_t cell : staticTiles_) region.enterBand(cell);
   for (std::size_t n = 0; n < moving.size(); ++n)
     if (moving[n].role != Role::swell)
-      paint(region, moving[n], static_cast<std::uint8_t>(kMoving + n));
+      paint(region, moving[n], common(moving[n].box, within),
+            static_cast<std::uint8_t>(kMoving + n));
 }
 
-void CoverPainter::paint(Region& region, const PlacedTool& tool, std::uint8_t owner) {
-  forTiles(common(tool.box, region.inner()),
-           [&](Key tile) { paintTile(region, tool, owner, tile); });
+void CoverPainter::paint(Region& region, const PlacedTool& tool, const KeyBox& box,
+                         std::uint8_t owner) {
+  forTiles(common(box, region.inner()), [&](Key tile) { paintTile(region, tool, owner, tile); });
 }
 
 void CoverPainter::paintTile(Region& region, const PlacedTool& tool, std::uint8_t owner, Key tile) {
@@ -148,7 +143,7 @@ void CoverPainter::paintTile(Region& region, const PlacedTool& tool, std::uint8_
 
 bool touchesClay(const Region& region, const PlacedTool& tool) {
   bool touches = false;
-  forTiles(common(tool.box, region.inner()), [&](Key tile) {
+  forTiles(common(tool.box, region.clayBox()), [&](Key tile) {
     if (touches) return;
     float value[512];
     tool.solid->evaluate(tile - tool.solid->cell, 8, value);

@@ -41,8 +41,8 @@ class CoverPainter {
  public:
   /// For a region just loaded. Where clay stands inside a support, the support gives way to it.
   void paintStatic(Region& region, const std::vector<PlacedTool>& supports);
-  /// Takes the last step's moving tools away and paints these.
-  void paintMoving(Region& region, const std::vector<PlacedTool>& moving);
+  /// Takes the last step's moving tools away and paints these, as far as they are in this box.
+  void paintMoving(Region& region, const std::vector<PlacedTool>& moving, const KeyBox& within);
 
  private:
   struct Painted {
@@ -52,7 +52,7 @@ class CoverPainter {
   };
   void sparePastClay(Region& region);
   void holdFaces(Region& region, Axis axis);
-  void paint(Region& region, const PlacedTool& tool, std::uint8_t owner);
+  void paint(Region& region, const PlacedTool& tool, const KeyBox& box, std::uint8_t owner);
   void paintTile(Region& region, const PlacedTool& tool, std::uint8_t owner, Key tile);
 
   std::vector<Painted> before_;

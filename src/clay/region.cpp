@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "bozzetto/grid/key_box.hpp"
+
 namespace bozzetto::clay {
 namespace {
 
@@ -214,9 +216,12 @@ void Region::list() {
   for (const std::uint32_t tile : before_) flags_[tile] &= static_cast<std::uint16_t>(~kListed);
   reachesRim_ = false;
   clayCells_ = 0;
+  clayBox_ = {};
   for (const std::uint32_t tile : before_) {
     if ((flags_[tile] & kHasClay) == 0) continue;
     clayCells_ += countOf_[tile];
+    const Key first = firstOf(tile);
+    clayBox_ = united(clayBox_, {first, first + Key{kTile - 1, kTile - 1, kTile - 1}});
     for (const std::uint32_t other : around(tile)) {
       reachesRim_ = reachesRim_ || (flags_[other] & kAtRim) != 0;
       if ((flags_[other] & (kAtRim | kListed)) != 0) continue;
@@ -249,6 +254,11 @@ void Region::listBand() {
   listRows({kListed | kDeep, kListed | kDeep}, deepRows_);
   for (const std::uint32_t tile : tooled_) flags_[tile] &= static_cast<std::uint16_t>(~kTooled);
   tooled_.clear();
+}
+
+Key Region::firstOf(std::uint32_t tile) const {
+  const auto n = static_cast<std::int32_t>(tile);
+  return box_.low + Key{n / (tiles_.j * tiles_.k), n / tiles_.k % tiles_.j, n % tiles_.k} * kTile;
 }
 
 void Region::listTiles(Selection which, std::vector<TileRun>& runs) const {
@@ -287,9 +297,7 @@ std::vector<Key> Region::takeChanged() {
   std::vector<Key> keys;
   for (const std::uint32_t tile : changed_) {
     flags_[tile] &= static_cast<std::uint16_t>(~kChanged);
-    const auto n = static_cast<std::int32_t>(tile);
-    keys.push_back(box_.low +
-                   Key{n / (tiles_.j * tiles_.k), n / tiles_.k % tiles_.j, n % tiles_.k} * kTile);
+    keys.push_back(firstOf(tile));
   }
   changed_.clear();
   return keys;

@@ -95,6 +95,8 @@ class Region {
   /// Clay stands in a tile beside the rim.
   bool reachesRim() const { return reachesRim_; }
   std::int64_t clayCells() const { return clayCells_; }
+  /// Of the tiles with clay, the rim left out; empty where there is none.
+  const KeyBox& clayBox() const { return clayBox_; }
 
   /// First corners of tiles that may have changed since the last call: what may differ from the
   /// tree.
@@ -141,6 +143,7 @@ class Region {
   void clear(std::size_t tile);
   template <class Callback>
   void forRowsOfTile(std::size_t tile, const Callback& callback) const;
+  Key firstOf(std::uint32_t tile) const;
   void listTiles(Selection which, std::vector<TileRun>& runs) const;
   void listRows(const std::vector<TileRun>& runs, std::vector<Row>& rows) const;
   void listRows(Selection which, std::vector<Row>& rows);
@@ -156,6 +159,7 @@ class Region {
   std::vector<Row> rows_, denseRows_, bandRows_, deepRows_;
   bool touchedRows_ = false, reachesRim_ = false;
   std::int64_t clayCells_ = 0;
+  KeyBox clayBox_;
 };
 
 /// Held, or half or more of it is a tool's or a support's: walking matter does not cross it.

@@ -70,7 +70,9 @@ std::unique_ptr<Layer> makeLayer(LayerKind kind, Scheme scheme) {
   return nullptr;
 }
 
-Stepper::Stepper(const Settings& settings) : banded_(!onlyWalks(settings)) {
+Stepper::Stepper(const Settings& settings)
+    : banded_(!onlyWalks(settings)),
+      travels_(runs(settings, LayerKind::diffusion) || runs(settings, LayerKind::automaton)) {
   for (const LayerKind kind : settings.layers) layers_.push_back(makeLayer(kind, settings.scheme));
 }
 
@@ -86,7 +88,13 @@ void Stepper::finish(Work& work) {
 }
 
 void Stepper::paint(Region& region, const std::vector<PlacedTool>& moving) {
-  painter_.paintMoving(region, moving);
+  // Of a large tool what no clay can come to is left out.
+  KeyBox within = region.inner();
+  if (!travels_) {
+    const Key most{kClearingSweeps, kClearingSweeps, kClearingSweeps};
+    within = {region.clayBox().low - most, region.clayBox().high + most};
+  }
+  painter_.paintMoving(region, moving, within);
   if (banded_) region.listBand();
 }
 

@@ -19,7 +19,8 @@ class Stepper {
  private:
   std::vector<std::unique_ptr<Layer>> layers_;
   CoverPainter painter_;
-  bool banded_;  // some layer asks for the band
+  bool banded_;   // some layer asks for the band
+  bool travels_;  // matter, as far as tools reach
 };
 
 }  // namespace bozzetto::clay

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "bozzetto/grid/key_box.hpp"
 #include "bozzetto/tool/relative.hpp"
 #include "clay/diffusion.hpp"
 #include "clay/exchange.hpp"
@@ -29,17 +30,6 @@ constexpr std::int64_t kMostRegion = std::int64_t{1} << 31;   // cells are count
 constexpr std::int64_t kMostWidened = std::int64_t{1} << 24;  // of these, for travelling matter
 constexpr std::int32_t kRoom = 2;   // tiles of air round the clay of a region
 constexpr std::int32_t kSlack = 1;  // tiles a tool may move before its region does
-
-KeyBox united(const KeyBox& a, const KeyBox& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  KeyBox result = a;
-  for (const Axis axis : kAxes) {
-    result.low[axis] = std::min(a.low[axis], b.low[axis]);
-    result.high[axis] = std::max(a.high[axis], b.high[axis]);
-  }
-  return result;
-}
 
 bool within(const KeyBox& box, const KeyBox& outer) {
   return outer.contains(box.low) && outer.contains(box.high);

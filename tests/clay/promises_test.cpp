@@ -309,10 +309,8 @@ TEST(Promises, NothingTunnelsThroughTwoCells) {
 }
 
 // 200 pushes at random leave no crumb and no dust.
-TEST(Promises, SlowTwoHundredPushesLeaveNoCrumbAndNoDust) {
-  Clay clay;
-  addSolid(clay, Shape::ellipsoid, {0, 0, 0}, {11, 11, 11});
-  const Measures before = measure(clay);
+// Two hundred pushes of a ball, from somewhere round it to 12 cells from where its middle was.
+void pushAbout(Clay& clay, double from) {
   std::uint32_t state = 11;
   const auto random = [&] {
     state = state * 1664525u + 1013904223u;
@@ -322,14 +320,42 @@ TEST(Promises, SlowTwoHundredPushesLeaveNoCrumbAndNoDust) {
     Push push = pushOf(Shape::ellipsoid, {3, 3, 3}, 0.3);
     glm::dvec3 way(random(), random(), random());
     way *= 1 / std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z + 1e-9);
-    push.stroke.points = {{way * 15.0, 1}, {way * 12.0, 1}};
+    push.stroke.points = {{way * from, 1}, {way * 12.0, 1}};
     run(clay, push);
   }
+}
+
+void expectNoCrumbAndNoDust(const Clay& clay, const Measures& before) {
   const Measures after = measure(clay);
   EXPECT_NEAR(after.mass / before.mass, 1, 1e-6);
   EXPECT_EQ(after.pieces, 1);
   // Beside a clean body of the shape that has come out: its field with sharp edges.
   EXPECT_LT(static_cast<double>(after.stored), 1.5 * static_cast<double>(cleanCorners(clay)));
+}
+
+TEST(Promises, SlowTwoHundredPushesLeaveNoCrumbAndNoDust) {
+  Clay clay;
+  addSolid(clay, Shape::ellipsoid, {0, 0, 0}, {11, 11, 11});
+  holdBox(clay, {-3, -3, -3}, {3, 3, 3});
+  const Measures before = measure(clay);
+  pushAbout(clay, 15);
+  expectNoCrumbAndNoDust(clay, before);
+}
+
+// A free ball that is pushed about stays the ball it was.
+TEST(Promises, SlowTwoHundredPushesCarryAFreeBallUnchanged) {
+  Clay clay;
+  addSolid(clay, Shape::ellipsoid, {0, 0, 0}, {11, 11, 11});
+  Push first = pushOf(Shape::ellipsoid, {3, 3, 3}, 0.3);
+  first.stroke.points = {{{40, 0, 0}, 1}, {{12, 0, 0}, 1}};
+  run(clay, first);  // what was dust in the ball as it was made joins the rest
+  const Measures before = measure(clay);
+  pushAbout(clay, 40);
+  expectNoCrumbAndNoDust(clay, before);
+  const Measures after = measure(clay);
+  EXPECT_NEAR(after.volume, before.volume, 1e-3);
+  EXPECT_NEAR(after.thickness, before.thickness, 1e-3);
+  EXPECT_GT(glm::length(after.centre - before.centre), 1);
 }
 
 }  // namespace
