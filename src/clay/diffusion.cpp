@@ -132,7 +132,8 @@ void Diffusion::spread(Region& region, const Walk& walk, float& amount) {
 }
 
 // Along one axis until all is spent, the walk is too long, or something closed is in the way: then
-// back half the way, or all would come out beside it. Out of the tool in which it starts it may go.
+// back half the way, or all would come out beside it. Out of the tool in which it starts it may go,
+// and on its way outwards through that tool's other arms.
 bool Diffusion::walk(Work& work, Walk& walk, float& amount) {
   Region& region = work.region;
   const double lead = walk.normal[static_cast<int>(walk.axis)];
@@ -142,7 +143,9 @@ bool Diffusion::walk(Work& work, Walk& walk, float& amount) {
   for (int n = 0; n < walk.longest; ++n) {
     const std::size_t next = walk.at + step;
     const bool closed = isClosed(region, next);
-    if (closed && !(leaving && isOfSameKind(region, next, walk.from))) {
+    const bool isArm = walk.turn < 3 && region.owner[next] == region.owner[walk.from] &&
+                       region.owner[next] >= kMoving;
+    if (closed && !((leaving || isArm) && isOfSameKind(region, next, walk.from))) {
       walk.at -= passed / 2 * step;
       return false;
     }
@@ -177,12 +180,12 @@ void Diffusion::push(Work& work, std::size_t cell) {
     float amount = std::min(rest, quantised(excess * static_cast<float>(part)));
     if (axis == 2) amount = rest;
     rest -= amount;
-    Walk way{cell, cell, axis, normal, longest, {}};
+    Walk way{cell, cell, axis, normal, longest, 0, {}};
     if (!isClosed(region, cell)) way.exit = cell;
-    for (int turn = 0; amount > 0 && turn < 6; ++turn) {
+    for (; amount > 0 && way.turn < 6; ++way.turn) {
       if (walk(work, way, amount)) break;
       way.axis = (way.axis + next) % 3;
-      if (turn != 2) continue;
+      if (way.turn != 2) continue;
       if (!way.exit) break;
       way.normal = -way.normal, way.at = *way.exit;
     }

@@ -30,6 +30,7 @@ class Diffusion final : public Layer {
     std::size_t axis;
     glm::dvec3 normal;
     int longest;
+    int turn;                         // from the third on it goes the other way round
     std::optional<std::size_t> exit;  // the first cell outside the tool
   };
   void follow(const Region& region);
