@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
+#include "tool/block_work.hpp"
 #include "tool/local_count.hpp"
 #include "tool/lowpass.hpp"
 #include "tool/mass_units.hpp"
+#include "tool/rise_kernels.hpp"
 #include "tool/stamp_weight.hpp"
 
 namespace bozzetto {
@@ -15,28 +19,19 @@ constexpr double kWidest = 4;  // reference radii
 constexpr int kMostLayers = 64;
 constexpr int kRoundingBits = 30;  // of the mass pressed what may stay missing: 1e-9
 
+template <class Visit>
+void forKeys(const KeyBox& box, Visit&& visit) {
+  for (auto i = box.low.i; i <= box.high.i; ++i)
+    for (auto j = box.low.j; j <= box.high.j; ++j)
+      for (auto k = box.low.k; k <= box.high.k; ++k) visit(Key{i, j, k});
+}
+
 template <int Side>
 Key cornerIn(int n) {
   return {n / (Side * Side), n / Side % Side, n % Side};
 }
 
-BOZZETTO_KERNEL float risen(float value, float climb, float most, float way) {
-  return lesser(value + way * climb, most);
-}
-
-struct Climbers {
-  const float *value, *climb, *most;
-  std::size_t count;
-};
-
-BOZZETTO_KERNEL MassUnits sumKernel(const Climbers& all, float way) {
-  MassUnits sum = 0;
-  for (std::size_t n = 0; n < all.count; ++n)
-    sum += massUnits(risen(all.value[n], all.climb[n], all.most[n], way));
-  return sum;
-}
-
-BOZZETTO_SIMD_DISPATCH(MassUnits, risenSum, sumKernel, (const Climbers& all, float way), (all, way))
+bool isAboveZero(float x) { return x > 0; }
 
 // The bulge with height 1.
 StampOptions ofHeightOne(StampOptions options) {
@@ -60,6 +55,10 @@ float pressing(const StampCurve& curve, double depth) {
 }  // namespace
 
 template <int Side>
+ConservingStamp<Side>::ConservingStamp(Edit<Block>& edit, const Dab& dab)
+    : edit_(&edit), dab_(&dab), curve_(ofHeightOne(dab.options), dab.iso) {}
+
+template <int Side>
 void ConservingStamp<Side>::reachOut(double widening) {
   if (widening == widening_) return;
   widening_ = widening;
@@ -70,8 +69,41 @@ void ConservingStamp<Side>::reachOut(double widening) {
   const KeyBox box = dabBox(influenceOf(*depth_, dab_->pose));
   using Geometry = BlockGeometry<Side>;
   blocks_ = {Geometry::blockOf(box.low), Geometry::blockOf(box.high)};
-  places_.clear();
-  places_.resize(tableSize());
+  places_.assign(tableSize(), nullptr);
+  madeCount_ = 0;
+  gatherTable();
+  listBlocks();
+}
+
+template <int Side>
+void ConservingStamp<Side>::gatherTable() {
+  table_.assign(tableSize(), nullptr);
+  const Key low = blocks_.low - Key{1, 1, 1}, high = blocks_.high + Key{1, 1, 1};
+  for (auto i = low.i; i <= high.i; ++i)
+    for (auto j = low.j; j <= high.j; ++j)
+      edit_->visit({{i, j, low.k}, high.k - low.k + 1}, [&](KeyRun piece, const Block* block) {
+        std::fill_n(table_.begin() + static_cast<std::ptrdiff_t>(indexOf(piece.key)), piece.length,
+                    block);
+      });
+}
+
+// Later ones join as they are written.
+template <int Side>
+void ConservingStamp<Side>::listBlocks() {
+  listed_.clear();
+  isListed_.assign(tableSize(), 0);
+  forKeys(blocks_, [&](Key block) {
+    const Faces<Side> near = facesOf(block);
+    if (near[0] != nullptr && near[0]->low >= 1) return;
+    if (std::ranges::any_of(near, [](auto* each) { return each != nullptr; })) join(block);
+  });
+}
+
+template <int Side>
+void ConservingStamp<Side>::join(Key block) {
+  if (!blocks_.contains(block) || isListed_[indexOf(block)] != 0 || !reaches(block)) return;
+  isListed_[indexOf(block)] = 1;
+  listed_.push_back(block);
 }
 
 // In tables of the blocks and their rim.
@@ -91,14 +123,27 @@ Key ConservingStamp<Side>::firstOf(Key block) const {
 }
 
 template <int Side>
+bool ConservingStamp<Side>::reaches(Key block) const {
+  const Key first = firstOf(block);
+  return !depth_->misses(frame_, first, first + Key{Side - 1, Side - 1, Side - 1});
+}
+
+template <int Side>
 auto ConservingStamp<Side>::placeOf(Key block) -> const Place& {
-  auto& made = places_[indexOf(block)];
-  if (made == nullptr) {
-    made = std::make_unique<Place>();
-    depth_->evaluateWithBody(frame_, firstOf(block), Side, made->depth.data(), made->body.data());
-    bend(block, *made);
+  const Place*& known = places_[indexOf(block)];
+  if (known == nullptr) {
+    if (madeCount_ == made_.size()) made_.emplace_back();
+    Place* const made = &made_[madeCount_++];
+    known = made;
+    alignas(64) float depth[Block::kCount], body[Block::kCount];
+    if (hasWall()) {
+      depth_->evaluateWithBody(frame_, firstOf(block), Side, depth, body);
+    } else {
+      depth_->evaluate(frame_, firstOf(block), Side, depth);
+    }
+    bend(block, depth, body, *made);
   }
-  return *made;
+  return *known;
 }
 
 template <int Side>
@@ -110,44 +155,40 @@ auto ConservingStamp<Side>::sweptOf(Key block) const -> const SweptBlock<Side>& 
 
 // How fast corners rise, and how far: not into the tool, nor where it has been.
 template <int Side>
-void ConservingStamp<Side>::bend(Key block, Place& place) const {
-  const StampCurve curve(ofHeightOne(dab_->options), dab_->iso);
-  const double surface = curve.surface();
-  const double end = surface + widening_ * (curve.end() - surface);
+void ConservingStamp<Side>::bend(Key block, const float* depth, const float* body,
+                                 Place& place) const {
+  curve_.bulge(depth, Block::kCount, widening_, place.curve.data());
+  place.rises = std::ranges::any_of(place.curve, isAboveZero);
+  if (!place.rises) return;
   const float* swept = sweptOf(block).shares();
-  for (std::size_t n = 0; n < place.depth.size(); ++n) {
-    const double depth = static_cast<double>(place.depth[n]);
-    const bool rim = depth >= surface && depth < end;
-    const double bulge = rim ? curve(surface + (depth - surface) / widening_) : 0;
-    const float most = hasWall() ? 1 : 1 - swept[n];
-    place.curve[n] = most * static_cast<float>(std::clamp(bulge, 0.0, 1.0));
-    place.most[n] = hasWall() ? 1 - std::max(swept[n], place.body[n]) : 1;
-    place.rises = place.rises || place.curve[n] > 0;
+  const bool wall = hasWall();
+  for (std::size_t n = 0; n < place.curve.size(); ++n) {
+    place.most[n] = wall ? 1 - std::max(swept[n], body[n]) : 1;
+    if (!wall) place.curve[n] *= 1 - swept[n];
   }
 }
 
+// What the tool itself may meet.
 template <int Side>
 template <class Visit>
-void ConservingStamp<Side>::forBlocks(Visit&& visit) {
-  for (auto i = blocks_.low.i; i <= blocks_.high.i; ++i)
-    for (auto j = blocks_.low.j; j <= blocks_.high.j; ++j)
-      for (auto k = blocks_.low.k; k <= blocks_.high.k; ++k) {
-        const Key first = firstOf({i, j, k});
-        if (depth_->misses(frame_, first, first + Key{Side - 1, Side - 1, Side - 1})) continue;
-        visit(Key{i, j, k});
-      }
+void ConservingStamp<Side>::forBody(Visit&& visit) {
+  forKeys(bodyBlocks_, [&](Key block) {
+    const Key first = firstOf(block);
+    if (!depth_->bodyMisses(frame_, first, first + Key{Side - 1, Side - 1, Side - 1})) visit(block);
+  });
 }
 
 template <int Side>
 void ConservingStamp<Side>::press() {
   reachOut(1);
+  bodyBlocks_ = blocks_;
   const DabPose influence = influenceOf(*depth_, dab_->pose);
   const KeyBox box = dabBox(influence);
   const LocalFrame local = localFrame(influence);
   visited_ = box.count();
   computed_ = countLocal(local, box.low - local.cell, box.high - local.cell);
-  forBlocks([&](Key block) {
-    if (edit_->read(block) != nullptr) pressBlock(block, placeOf(block));
+  forBody([&](Key block) {
+    if (table_[indexOf(block)] != nullptr) pressBlock(block);
   });
 }
 
@@ -158,21 +199,28 @@ bool ConservingStamp<Side>::hasWall() const {
 }
 
 template <int Side>
-void ConservingStamp<Side>::pressBlock(Key block, const Place& place) {
+void ConservingStamp<Side>::pressBlock(Key block) {
   const StampCurve curve(dab_->options, dab_->iso);
-  const Block* old = edit_->read(block);
+  const bool wall = hasWall();
+  alignas(64) float place[Block::kCount];  // body or depth
+  if (wall) {
+    depth_->evaluateBody(frame_, firstOf(block), Side, place);
+  } else {
+    depth_->evaluate(frame_, firstOf(block), Side, place);
+  }
+  const Block* old = table_[indexOf(block)];
   for (int n = 0; n < Block::kCount; ++n) {
     const auto at = static_cast<std::size_t>(n);
     const float value = old->value[at];
     if (!(value > 0)) continue;
     const Attributes own = old->attributes[at];
     const float amount = pull(static_cast<float>(dab_->strength), 1.0f, own);
-    const double d = static_cast<double>(place.depth[at]);
-    const float made = hasWall() ? pressedTo(value, amount * place.body[at], place.body[at])
-                                 : positive(value + amount * pressing(curve, d));
+    const float made =
+        wall ? pressedTo(value, amount * place[at], place[at])
+             : positive(value + amount * pressing(curve, static_cast<double>(place[at])));
     if (made == value) continue;
     pressed_ += massUnits(value) - massUnits(made);
-    write(block, n, made, own);
+    write(block, at, made);
     old = open_;
   }
 }
@@ -181,11 +229,9 @@ void ConservingStamp<Side>::pressBlock(Key block, const Place& place) {
 template <int Side>
 void ConservingStamp<Side>::sweep() {
   if (dab_->swept == nullptr) return;
-  forBlocks([&](Key block) {
-    const Key first = firstOf(block);
-    if (depth_->bodyMisses(frame_, first, first + Key{Side - 1, Side - 1, Side - 1})) return;
+  forBody([&](Key block) {
     alignas(64) float body[Block::kCount];
-    depth_->evaluateBody(frame_, first, Side, body);
+    depth_->evaluateBody(frame_, firstOf(block), Side, body);
     (*dab_->swept)[block].add(body);
   });
 }
@@ -198,24 +244,18 @@ void ConservingStamp<Side>::look(double widening) {
   value_.clear();
   climb_.clear();
   most_.clear();
-  table_.assign(tableSize(), nullptr);
-  const Key low = blocks_.low - Key{1, 1, 1}, high = blocks_.high + Key{1, 1, 1};
-  for (auto i = low.i; i <= high.i; ++i)
-    for (auto j = low.j; j <= high.j; ++j)
-      edit_->visit({{i, j, low.k}, high.k - low.k + 1}, [&](KeyRun piece, const Block* block) {
-        std::fill_n(table_.begin() + static_cast<std::ptrdiff_t>(indexOf(piece.key)), piece.length,
-                    block);
-      });
-  forBlocks([&](Key block) {
-    const Block* own = table_[indexOf(block)];
-    if (own != nullptr && own->low >= 1) return;
-    const Neighbourhood<Side> near = around(block);
-    if (std::none_of(near.begin(), near.end(), [](auto* each) { return each; })) return;
-    const Place& place = placeOf(block);
-    if (place.rises) lookAt(block, place);
-  });
+  for (std::size_t n = 0; n < listed_.size(); ++n) lookAt(n);
   held_ = 0;
   held_ = gain(0);
+  layer_ = gain(kFarthestClimb);
+}
+
+template <int Side>
+Faces<Side> ConservingStamp<Side>::facesOf(Key block) const {
+  const std::size_t at = indexOf(block), k = 1;
+  const std::size_t j = indexOf(block + Key{0, 1, 0}) - at, i = indexOf(block + Key{1, 0, 0}) - at;
+  return {table_[at],     table_[at - i], table_[at + i], table_[at - j],
+          table_[at + j], table_[at - k], table_[at + k]};
 }
 
 template <int Side>
@@ -228,23 +268,56 @@ Neighbourhood<Side> ConservingStamp<Side>::around(Key block) const {
   return near;
 }
 
+// The tool is asked where it lies only where there is clay to climb.
 template <int Side>
-void ConservingStamp<Side>::lookAt(Key block, const Place& place) {
-  const Block* own = table_[indexOf(block)];
-  LowpassBuffer<Side> buffer;
-  lowpass<Side>(around(block), buffer);
-  for (std::size_t n = 0; n < place.curve.size(); ++n) {
-    const float slope = buffer.result.climb[n];
-    if (!(slope > 0) || !(place.curve[n] > 0)) continue;
-    const float value = own == nullptr ? 0 : own->value[n];
-    const Attributes held = own == nullptr ? 0 : own->attributes[n];
-    const float climb = pull(static_cast<float>(dab_->strength), place.curve[n], held) * slope;
-    if (value >= place.most[n] || value + kFarthestClimb * climb < kThinnestClay) continue;
-    const int corner = static_cast<int>(n);
-    risers_.push_back({block, corner, value > 0 ? held : colourAt(buffer.result, corner)});
-    value_.push_back(value);
-    climb_.push_back(climb);
-    most_.push_back(place.most[n]);
+void ConservingStamp<Side>::lookAt(std::size_t listed) {
+  const Key block = listed_[listed];
+  const std::size_t at = indexOf(block);
+  const Block* own = table_[at];
+  if (own != nullptr && own->low >= 1) return;
+  if (places_[at] != nullptr && !places_[at]->rises) return;
+  alignas(64) float climb[Block::kCount];
+  if (!climbOf<Side>(facesOf(block), climb)) return;
+  const Place& place = placeOf(block);
+  if (place.rises) addRisers(listed, place, climb);
+}
+
+template <int Side>
+void ConservingStamp<Side>::addRisers(std::size_t listed, const Place& place, const float* steep) {
+  const Block* present = table_[indexOf(listed_[listed])];
+  const Block& own = present == nullptr ? emptyBlock<Side>() : *present;
+  alignas(64) std::array<float, Block::kCount> climb;
+  std::copy_n(steep, climb.size(), climb.data());
+  ratesOf({own.value.data(), place.most.data(), place.curve.data(), own.attributes.data(),
+           static_cast<float>(dab_->strength)},
+          Block::kCount, climb.data());
+  const auto all = risers_.size();
+  const auto more = all + static_cast<std::size_t>(std::ranges::count_if(climb, isAboveZero));
+  risers_.resize(more);
+  value_.resize(more);
+  climb_.resize(more);
+  most_.resize(more);
+  for (std::size_t n = 0, to = all; to < more; ++n) {
+    if (!(climb[n] > 0)) continue;
+    risers_[to] = listed * Block::kCount + n;
+    value_[to] = own.value[n];
+    climb_[to] = climb[n];
+    most_[to++] = place.most[n];
+  }
+}
+
+// Corners that had no clay take the colour of the clay round them.
+template <int Side>
+void ConservingStamp<Side>::colour() {
+  LowpassBuffer<Side> near;
+  colours_.clear();
+  std::size_t known = listed_.size();
+  for (std::size_t n = 0; n < risers_.size(); ++n) {
+    if (value_[n] > 0) continue;
+    const std::size_t listed = risers_[n] / Block::kCount;
+    if (listed != known) lowpass<Side>(around(listed_[listed]), near);
+    known = listed;
+    colours_.push_back(colourAt(near.result, cornerOf(n)));
   }
 }
 
@@ -259,7 +332,7 @@ template <int Side>
 double ConservingStamp<Side>::tooHigh(MassUnits mass) const {
   const double asked = dab_->options.height;
   const double layers = asked * static_cast<double>(kClimbPerDensity / kFarthestClimb);
-  const double bulge = static_cast<double>(gain(kFarthestClimb)) * layers;
+  const double bulge = static_cast<double>(layer_) * layers;
   return static_cast<double>(mass) / std::max(bulge, 1.0);
 }
 
@@ -275,7 +348,7 @@ double ConservingStamp<Side>::widened(double widening, MassUnits mass) const {
 // The way whose gain is the mass, or just under it.
 template <int Side>
 float ConservingStamp<Side>::wayFor(MassUnits mass) const {
-  if (gain(kFarthestClimb) <= mass) return kFarthestClimb;
+  if (layer_ <= mass) return kFarthestClimb;
   float low = 0, high = kFarthestClimb;
   for (int step = 0; step < 24; ++step) {
     const float middle = 0.5f * (low + high);
@@ -288,11 +361,15 @@ float ConservingStamp<Side>::wayFor(MassUnits mass) const {
 // it raised.
 template <int Side>
 MassUnits ConservingStamp<Side>::raise(float way, MassUnits mass) {
-  const MassUnits rest = mass - gain(way);
+  const MassUnits rest = mass - (way < kFarthestClimb ? gain(way) : layer_);
+  auto colour = colours_.begin();
   for (std::size_t n = 0; n < risers_.size(); ++n) {
     const float made = risen(value_[n], climb_[n], most_[n], way);
-    const Riser& riser = risers_[n];
-    if (made != value_[n]) write(riser.block, riser.corner, made, riser.attributes);
+    const Attributes fresh = value_[n] > 0 ? 0 : *colour++;
+    if (made == value_[n]) continue;
+    const auto corner = static_cast<std::size_t>(cornerOf(n));
+    write(blockOf(n), corner, made);
+    if (!(value_[n] > 0)) open_->attributes[corner] = fresh;
   }
   return mass - (way < kFarthestClimb ? raiseRest(way, rest) : rest);
 }
@@ -303,39 +380,64 @@ template <int Side>
 MassUnits ConservingStamp<Side>::raiseRest(float way, MassUnits rest) {
   constexpr std::size_t most = 256;
   const auto raised = [&](std::size_t n) { return risen(value_[n], climb_[n], most_[n], way); };
-  const auto at = [&](std::size_t n) {
-    return BlockGeometry<Side>::firstCornerOf(risers_[n].block) + cornerIn<Side>(risers_[n].corner);
+  struct Next {
+    Key at;
+    std::size_t riser;
   };
-  std::vector<std::size_t> order;
-  for (std::size_t n = 0; n < risers_.size(); ++n)
-    if (raised(n) > 0 && raised(n) < most_[n]) order.push_back(n);
-  const auto last = order.begin() + static_cast<std::ptrdiff_t>(std::min(most, order.size()));
-  std::partial_sort(order.begin(), last, order.end(),
-                    [&](std::size_t a, std::size_t b) { return at(a) < at(b); });
-  for (auto each = order.begin(); each != last && rest > 0; ++each) {
-    const float made = raised(*each);
+  const auto earlier = [](const Next& a, const Next& b) { return a.at < b.at; };
+  std::vector<Next> order;  // some that come first, of those so far
+  Key last{INT32_MAX, INT32_MAX, INT32_MAX};
+  const auto shorten = [&] {
+    const auto end = order.begin() + most;
+    std::nth_element(order.begin(), end - 1, order.end(), earlier);
+    order.erase(end, order.end());
+    last = order.back().at;
+  };
+  for (std::size_t n = 0; n < risers_.size(); ++n) {
+    const Key first = BlockGeometry<Side>::firstCornerOf(blockOf(n));
+    if (last < first) continue;
+    const Key key = first + cornerIn<Side>(cornerOf(n));
+    if (last < key || !(raised(n) > 0 && raised(n) < most_[n])) continue;
+    order.push_back({key, n});
+    if (order.size() == 4 * most) shorten();
+  }
+  if (order.size() > most) shorten();
+  std::ranges::sort(order, earlier);
+  for (auto each = order.begin(); each != order.end() && rest > 0; ++each) {
+    const float made = raised(each->riser);
     const auto more = static_cast<float>(static_cast<double>(rest) * kMassUnit);
-    const float filled = lesser(made + more, most_[*each]);
+    const float filled = lesser(made + more, most_[each->riser]);
     const MassUnits taken = massUnits(filled) - massUnits(made);
     if (taken <= 0 || taken > rest) continue;
     rest -= taken;
-    const Riser& riser = risers_[*each];
-    write(riser.block, riser.corner, filled, riser.attributes);
+    write(blockOf(each->riser), static_cast<std::size_t>(cornerOf(each->riser)), filled);
   }
   return rest;
 }
 
 template <int Side>
-void ConservingStamp<Side>::write(Key block, int corner, float value, Attributes attributes) {
-  if (touched_.empty() || touched_.back() != block) {
-    open_ = &edit_->write(block);
-    touched_.push_back(block);
-  }
-  const auto n = static_cast<std::size_t>(corner);
-  open_->value[n] = value;
+void ConservingStamp<Side>::write(Key block, std::size_t corner, float value) {
+  if (touched_.empty() || touched_.back() != block) open(block);
+  open_->value[corner] = value;
   open_->low = std::min(open_->low, value);
-  open_->attributes[n] = value > 0 ? attributes : 0;
+  if (!(value > 0)) open_->attributes[corner] = 0;
   ++dirty_;
+}
+
+// What was empty lets clay climb into its neighbours.
+template <int Side>
+void ConservingStamp<Side>::open(Key block) {
+  open_ = &edit_->write(block);
+  touched_.push_back(block);
+  const bool had = std::exchange(table_[indexOf(block)], open_) != nullptr;
+  join(block);
+  if (had) return;
+  for (const Axis axis : kAxes) {
+    Key step;
+    step[axis] = 1;
+    join(block - step);
+    join(block + step);
+  }
 }
 
 template <int Side>
@@ -350,6 +452,7 @@ void ConservingStamp<Side>::apply(DabReport& report) {
       widening = next;
       look(widening);
     }
+    colour();
     const MassUnits raised = raise(wayFor(rest), rest);
     rest -= raised;
     if (raised <= 0) break;

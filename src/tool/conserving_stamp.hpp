@@ -1,5 +1,7 @@
 // The conserving stamp (algorithms.md §1): what the tool presses out of its way rises round it.
 #pragma once
+#include <deque>
+
 #include "bozzetto/tool/dab.hpp"
 #include "tool/lowpass.hpp"
 #include "tool/mass_units.hpp"
@@ -23,60 +25,71 @@ class ConservingStamp {
     double strength;
     Swept<Side>* swept;  ///< by dabs before; this one adds itself; null: rises there too
   };
-  ConservingStamp(Edit<CornerBlock<Side>>& edit, const Dab& dab) : edit_(&edit), dab_(&dab) {}
+  ConservingStamp(Edit<CornerBlock<Side>>& edit, const Dab& dab);
   void apply(DabReport& report);
 
  private:
-  struct Riser {  // a corner that may rise
-    Key block;
-    int corner;
-    Attributes attributes;
-  };
   using Block = CornerBlock<Side>;
-  struct Place {  // a block as the tool lies in it
-    alignas(64) std::array<float, Block::kCount> depth, body, curve, most;
+  struct Place {  // a block as the rim lies in it
+    alignas(64) std::array<float, Block::kCount> curve, most;
     bool rises = false;  // somewhere
   };
 
   void reachOut(double widening);
+  void gatherTable();
+  void listBlocks();
+  void join(Key block);
   template <class Visit>
-  void forBlocks(Visit&& visit);
+  void forBody(Visit&& visit);
   bool hasWall() const;
   void press();
-  void pressBlock(Key block, const Place& place);
+  void pressBlock(Key block);
   void sweep();
   void look(double widening);
-  void lookAt(Key block, const Place& place);
+  void lookAt(std::size_t listed);
+  void addRisers(std::size_t listed, const Place& place, const float* climb);
   const Place& placeOf(Key block);
   const SweptBlock<Side>& sweptOf(Key block) const;
-  void bend(Key block, Place& place) const;
+  void bend(Key block, const float* depth, const float* body, Place& place) const;
   Key firstOf(Key block) const;
   Neighbourhood<Side> around(Key block) const;
+  Faces<Side> facesOf(Key block) const;
+  bool reaches(Key block) const;
+  Key blockOf(std::size_t riser) const { return listed_[risers_[riser] / Block::kCount]; }
+  int cornerOf(std::size_t riser) const { return int(risers_[riser] % Block::kCount); }
   std::size_t indexOf(Key block) const;
   std::size_t tableSize() const { return indexOf(blocks_.high + Key{1, 1, 1}) + 1; }
+  void colour();
   MassUnits gain(float way) const;
   double tooHigh(MassUnits mass) const;
   double widened(double widening, MassUnits mass) const;
   float wayFor(MassUnits mass) const;
   MassUnits raise(float way, MassUnits mass);
   MassUnits raiseRest(float way, MassUnits rest);
-  void write(Key block, int corner, float value, Attributes attributes);
+  void write(Key block, std::size_t corner, float value);
+  void open(Key block);
 
   Edit<Block>* edit_;
   const Dab* dab_;
 
-  // As far as the rim reaches: its blocks and, once asked for, how the tool lies in them. Both
-  // tables have a rim of one.
+  // As far as the rim reaches: its blocks, which of them are to be looked at and, once asked for,
+  // how the rim lies in them. The tables have a rim of one.
   double widening_ = 0;
+  StampCurve curve_;
   std::unique_ptr<Potential> depth_;
   LocalFrame frame_;
-  KeyBox blocks_;
-  std::vector<std::unique_ptr<Place>> places_;
+  KeyBox blocks_, bodyBlocks_;
+  std::vector<const Place*> places_;
+  std::deque<Place> made_;  // the first so many of these
+  std::size_t madeCount_ = 0;
   std::vector<const Block*> table_;
+  std::vector<Key> listed_;  // with clay in them or across a face, and room
+  std::vector<std::uint8_t> isListed_;
 
-  std::vector<Riser> risers_;
+  std::vector<std::size_t> risers_;          // place in listed_ · corners of a block + corner
+  std::vector<Attributes> colours_;          // of those of them that had no clay, in turn
   std::vector<float> value_, climb_, most_;  // of the risers; climb: density per cell of way
-  MassUnits held_ = 0;                       // by the risers
+  MassUnits held_ = 0, layer_ = 0;           // by the risers; what a whole layer gains
   std::vector<Key> touched_;
   Block* open_ = nullptr;  // the last of them
   MassUnits pressed_ = 0;

@@ -24,15 +24,35 @@ void gatherRow(const Neighbourhood<Side>& blocks, int i, int j, Tile<Side>& tile
   const int row = (((i - 1) & (Side - 1)) * Side + ((j - 1) & (Side - 1))) * Side;
   float* value = tile.value + (i * wide + j) * wide;
   Attributes* attributes = tile.attributes + (i * wide + j) * wide;
-  const auto take = [&](int bk, int from, int to, int count) {
+  const auto take = [&]<int kCount>(int bk, int from, int to) {
     const CornerBlock<Side>* near = blocks[(bi * 3 + bj) * 3 + bk];
     const CornerBlock<Side>& block = near == nullptr ? emptyBlock<Side>() : *near;
-    std::copy_n(block.value.data() + row + from, count, value + to);
-    std::copy_n(block.attributes.data() + row + from, count, attributes + to);
+    std::copy_n(block.value.data() + row + from, kCount, value + to);
+    std::copy_n(block.attributes.data() + row + from, kCount, attributes + to);
   };
-  take(0, Side - 1, 0, 1);
-  take(1, 0, 1, Side);
-  take(2, 0, Side + 1, 1);
+  take.template operator()<1>(0, Side - 1, 0);
+  take.template operator()<Side>(1, 0, 1);
+  take.template operator()<1>(2, 0, Side + 1);
+}
+
+// The values of the block and of what lies across its faces; edges stay as they are.
+template <int Side>
+BOZZETTO_KERNEL void gatherFaces(const std::array<const float*, 7>& from, float* tile) {
+  constexpr int wide = Side + 2, last = Side - 1;
+  const auto row = [&](const float* block, int i, int j) { return block + (i * Side + j) * Side; };
+  const auto to = [&](int i, int j) { return tile + ((i + 1) * wide + j + 1) * wide + 1; };
+  for (int i = 0; i < Side; ++i) {
+    std::copy_n(row(from[1], last, i), Side, to(-1, i));
+    std::copy_n(row(from[2], 0, i), Side, to(Side, i));
+    std::copy_n(row(from[3], i, last), Side, to(i, -1));
+    std::copy_n(row(from[4], i, 0), Side, to(i, Side));
+    for (int j = 0; j < Side; ++j) {
+      float* const out = to(i, j);
+      out[-1] = row(from[5], i, j)[last];
+      std::copy_n(row(from[0], i, j), Side, out);
+      out[Side] = row(from[6], i, j)[0];
+    }
+  }
 }
 
 // (1 2 1) along k, j and i in turn; always in this order, so that all sides agree to the bit.
@@ -124,7 +144,35 @@ void lowpassPlain(const Tile<Side>& tile, LowpassBuffer<Side>& buffer) {
   lowpassBody<Side>(tile, buffer);
 }
 
+template <int Side>
+BOZZETTO_KERNEL bool climbOfBody(const std::array<const float*, 7>& from, float* climb) {
+  alignas(64) float tile[Tile<Side>::kCount];
+  gatherFaces<Side>(from, tile);
+  climbBody<Side>(tile, climb);
+  std::int32_t any = 0;
+  for (int n = 0; n < Side * Side * Side; ++n) any |= bits(climb[n]);
+  return any != 0;
+}
+
+template <int Side>
+BOZZETTO_TARGET_AVX2 bool climbOfAvx2(const std::array<const float*, 7>& from, float* climb) {
+  return climbOfBody<Side>(from, climb);
+}
+
+template <int Side>
+bool climbOfPlain(const std::array<const float*, 7>& from, float* climb) {
+  return climbOfBody<Side>(from, climb);
+}
+
 }  // namespace
+
+template <int Side>
+bool climbOf(const Faces<Side>& blocks, float* climb) {
+  std::array<const float*, 7> from;
+  for (std::size_t n = 0; n < from.size(); ++n)
+    from[n] = (blocks[n] == nullptr ? emptyBlock<Side>() : *blocks[n]).value.data();
+  return hasAvx2() ? climbOfAvx2<Side>(from, climb) : climbOfPlain<Side>(from, climb);
+}
 
 template <int Side>
 void lowpass(const Neighbourhood<Side>& blocks, LowpassBuffer<Side>& buffer) {
@@ -134,6 +182,8 @@ void lowpass(const Neighbourhood<Side>& blocks, LowpassBuffer<Side>& buffer) {
   hasAvx2() ? lowpassAvx2<Side>(tile, buffer) : lowpassPlain<Side>(tile, buffer);
 }
 
+template bool climbOf<1>(const Faces<1>&, float*);
+template bool climbOf<8>(const Faces<8>&, float*);
 template void lowpass<1>(const Neighbourhood<1>&, LowpassBuffer<1>&);
 template void lowpass<8>(const Neighbourhood<8>&, LowpassBuffer<8>&);
 

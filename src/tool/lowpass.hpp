@@ -22,4 +22,12 @@ using Neighbourhood = std::array<const CornerBlock<Side>*, 27>;
 template <int Side>
 void lowpass(const Neighbourhood<Side>& blocks, LowpassBuffer<Side>& buffer);
 
+/// A block and those across its faces: itself, then before and after it along i, j and k.
+template <int Side>
+using Faces = std::array<const CornerBlock<Side>*, 7>;
+
+/// Lowpass::climb alone, for which faces are enough. False where it is 0 everywhere.
+template <int Side>
+bool climbOf(const Faces<Side>& blocks, float* climb);
+
 }  // namespace bozzetto

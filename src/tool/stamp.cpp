@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bozzetto/base/error.hpp"
+#include "tool/float_bits.hpp"
 
 namespace bozzetto {
 namespace {
@@ -14,6 +15,35 @@ constexpr double kNarrowest = 0.01;
 void requireFinite(double number, const char* what) {
   if (std::isfinite(number)) return;
   throw Error(std::string("stamp ") + what + ": not a finite number");
+}
+
+template <class Cubic>
+struct Rim {
+  Cubic rising, falling;
+  double surface, rise, fall, widening;
+};
+
+template <class Cubic>
+BOZZETTO_KERNEL void bulgeBody(const Rim<Cubic>& rim, const float* depth, int count, float* def) {
+  for (int n = 0; n < count; ++n) {
+    const double x = (static_cast<double>(depth[n]) - rim.surface) / rim.widening;
+    const double past = positive(x - rim.rise);
+    const double falls = pick(lessMask(past, rim.fall), rim.falling(past), 0.0);
+    const double rises = pick(lessMask(positive(x), rim.rise), rim.rising(x), falls);
+    const double outside = pick(signMask(bits(x)), 0.0, rises);
+    def[n] = static_cast<float>(lesser(positive(outside), 1.0));
+  }
+}
+
+template <class Cubic>
+BOZZETTO_TARGET_AVX2 void bulgeAvx2(const Rim<Cubic>& rim, const float* depth, int count,
+                                    float* def) {
+  bulgeBody(rim, depth, count, def);
+}
+
+template <class Cubic>
+void bulgePlain(const Rim<Cubic>& rim, const float* depth, int count, float* def) {
+  bulgeBody(rim, depth, count, def);
 }
 
 }  // namespace
@@ -54,6 +84,11 @@ double StampCurve::operator()(double d) const {
   if (d < rise_) return rising_(d);
   d -= rise_;
   return d < fall_ ? falling_(d) : 0;
+}
+
+void StampCurve::bulge(const float* depth, int count, double widening, float* def) const {
+  const Rim<Cubic> rim{rising_, falling_, surface_, rise_, fall_, widening};
+  hasAvx2() ? bulgeAvx2(rim, depth, count, def) : bulgePlain(rim, depth, count, def);
 }
 
 }  // namespace bozzetto

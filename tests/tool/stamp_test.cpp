@@ -1,6 +1,7 @@
 // The stamp: its curve, where it raises clay, what it weighs, and that undo takes it back.
 #include "bozzetto/base/simd.hpp"
 #include "bozzetto/tool/sculpture.hpp"
+#include "tool/lowpass.hpp"
 #include "tool/tool_fixture.hpp"
 
 namespace bozzetto {
@@ -70,6 +71,38 @@ TEST(StampCurve, meetsItsNumbersAndIsSmooth) {
       EXPECT_NEAR(slope(d), slope(d + 1e-5), 3e-3) << d;
     }
   }
+}
+
+TEST(StampCurve, bulgesAreTheCurveStretched) {
+  const StampOptions options{.height = 0.4, .rise = 0.2, .fall = 0.35, .slope = 1.1};
+  const StampCurve curve(options, 0.5);
+  std::vector<float> depth, def(400);
+  for (int n = 0; n < 400; ++n) depth.push_back(0.01f * static_cast<float>(n));
+  for (const double widening : {1.0, 3.0}) {
+    curve.bulge(depth.data(), 400, widening, def.data());
+    for (std::size_t n = 0; n < depth.size(); ++n) {
+      const double beyond = static_cast<double>(depth[n]) - curve.surface();
+      const double expected = beyond < 0 ? 0 : curve(curve.surface() + beyond / widening);
+      EXPECT_NEAR(def[n], std::max(0.0, expected), 1e-7) << depth[n];
+    }
+  }
+}
+
+TEST(Lowpass, climbsOfFacesAreThoseOfTheWholeNeighbourhood) {
+  std::array<CornerBlock<8>, 27> all;
+  Neighbourhood<8> near;
+  for (std::size_t n = 0; n < 27; ++n) {
+    for (std::size_t c = 0; c < 512; ++c)
+      all[n].value[c] = static_cast<float>((n * 512 + c) * 7919 % 1009) / 1009.0f;
+    near[n] = n == 14 ? nullptr : &all[n];
+  }
+  LowpassBuffer<8> whole;
+  lowpass<8>(near, whole);
+  std::array<float, 512> climb;
+  const Faces<8> faces{near[13], near[4], near[22], near[10], near[16], near[12], near[14]};
+  EXPECT_TRUE(climbOf<8>(faces, climb.data()));
+  for (std::size_t n = 0; n < 512; ++n) EXPECT_EQ(climb[n], whole.result.climb[n]) << n;
+  EXPECT_FALSE(climbOf<8>({}, climb.data()));
 }
 
 TEST(StampCurve, clampsWhatHasNoCurve) {

@@ -31,6 +31,8 @@ class StampCurve {
   StampCurve(const StampOptions& options, double iso);
 
   double operator()(double d) const;
+  /// Beyond the surface, of a rim so many times as wide, in 0…1; inside and past its end 0.
+  void bulge(const float* depth, int count, double widening, float* def) const;
   double surface() const { return surface_; }  ///< s₀
   double end() const { return surface_ + rise_ + fall_; }
 
@@ -38,7 +40,9 @@ class StampCurve {
   // a·x³ + b·x² + c·x + e, x from the beginning of its piece.
   struct Cubic {
     double a, b, c, e;
-    double operator()(double x) const { return ((a * x + b) * x + c) * x + e; }
+    [[gnu::always_inline]] double operator()(double x) const {
+      return ((a * x + b) * x + c) * x + e;
+    }
   };
   double surface_, rise_, fall_;
   Cubic inside_, rising_, falling_;
