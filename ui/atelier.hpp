@@ -362,6 +362,7 @@ class Atelier {
   GroundHit heldGround() const;
   ToolShape toolAt(const GroundHit& ground) const;
   HandOperations handAt(const GroundHit& ground) const;
+  std::optional<Press> pressOn(const GroundHit& ground) const;
   void keep(ShelfKeepOperation operation, std::function<void()> then = {});
   bool runParts(Command command);
   void beginLasso();
@@ -417,6 +418,7 @@ class Atelier {
     glm::dmat3 turn{1};
     double growth = 1;
   };
+  glm::dvec3 toolPlace(const GroundHit& ground) const;
   Stand standOn(const GroundHit& ground, const ToolShape& tool) const;
   bool draggedAnchor() const { return maker_ && sculpt.placement.anchored; }
   ToolGhost primitiveGhost(const ToolShape& tool, const Stand& stand) const;
@@ -429,12 +431,10 @@ class Atelier {
   ToolGhost ghostOf(const ToolShape& tool, const Stand& stand) const;
   void addStage(Overlays& overlays) const;
 
-  double now_ = 0, lastInput_ = 0, savedAt_ = -1;
+  double now_ = 0, lastInput_ = 0, savedAt_ = -1, scale_ = 1, pressure_ = 1;
   glm::dvec2 corner_{0}, pointer_{0}, pressedAt_{0};
   Extent extent_{1280, 800};
-  double scale_ = 1;
   Modifiers held_;
-  double pressure_ = 1;
   Hover hover_;
   Gesture gesture_ = Gesture::none;
   bool gestureByKey_ = false, runsByKey_ = false;

@@ -119,7 +119,7 @@ void Atelier::addTool(Overlays& overlays) const {
   GroundHit ground = hover_.ground.value_or(GroundHit{hover_.air, view.back()});
   if (held) ground = heldGround();
   const ToolShape tool = toolAt(ground);
-  if (!held) ground.position += ground.normal * (sculpt.depth * sculpt.size);
+  if (!held) ground.position = toolPlace(ground);
   const Stand stand = standOn(ground, tool);
   overlays.tools.push_back(ghostOf(tool, stand));
   if (standOpen && tool.sculpture) addMarks(tool, stand, overlays);
@@ -133,6 +133,17 @@ void Atelier::addTool(Overlays& overlays) const {
   plane.toolRadius = sculpt.size / spacing * core;
   plane.shadowFloor = status_.stage.floor;
   overlays.plane = plane;
+}
+
+// Where the pointer's tool is, or would be; in a push not where the clay has gone meanwhile.
+glm::dvec3 Atelier::toolPlace(const GroundHit& ground) const {
+  const auto press = pressOn(ground);
+  if (press && maker_) return maker_->last();
+  const glm::dvec3 at = ground.position + ground.normal * (sculpt.depth * sculpt.size);
+  if (!press || !hover_.ground) return at;
+  const Ray ray = rayThrough(view, extent_, pointer_);
+  const double spacing = status_.scale.spacing;
+  return at + press->lift(broadNormal(patches_, ray, ground, press->radius(), spacing), 1);
 }
 
 ToolGhost Atelier::ghostOf(const ToolShape& tool, const Stand& stand) const {

@@ -15,10 +15,16 @@ HandOperations Atelier::handAt(const GroundHit& ground) const {
   return {sculpt.toolOperation(toolAt(ground)), sculpt.operation(actionNow()), {sculpt.clay}};
 }
 
+std::optional<Press> Atelier::pressOn(const GroundHit& ground) const {
+  if (actionNow() != ActionKind::push || sculpt.recall) return std::nullopt;
+  return Press(toolAt(ground), sculpt, status_.scale.spacing);
+}
+
 void Atelier::beginStroke(double pressure) {
   if (heldTool_ && puckMoves == Moves::tool) return beginHeldStroke();
   const StrokeMaker::Setting setting{view, extent_, status_.scale.spacing,
-                                     airPoint_.value_or(view.target)};
+                                     airPoint_.value_or(view.target),
+                                     [this](const GroundHit& ground) { return pressOn(ground); }};
   maker_.emplace(patches_, sculpt, setting);
   const auto first = maker_->begin(pointer_, pressure);
   if (!first) {

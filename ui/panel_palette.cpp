@@ -57,8 +57,9 @@ void drawPalette(const PanelContext& context) {
   slider("Size", sculpt.size, {kSmallestToolCells * cell, 128 * cell, "mm", 1, 1, true},
          "The tool's limit of influence.");
   if (rowOf(sculpt.action).usesStrength) {
-    slider("Strength", sculpt.strengthOf(sculpt.action), {0.01, 1, "%", 100, 0},
-           "How much every dab does.");
+    const Strengths says = strengthsOf(sculpt.action);
+    slider(says.name.data(), sculpt.strengthOf(sculpt.action), {0.01, 1, "%", 100, 0},
+           says.what.data());
   }
   const float gap = px(6), side = (ImGui::GetContentRegionAvail().x - 6 * gap) / 7;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});

@@ -131,10 +131,10 @@ void toolSection(Atelier& atelier) {
   if (row.usesStrength || sculpt.recall) {
     Slide strength{0.01, 1, "%", 100, 0};
     strength.pen = sculpt.pressureStrength;
-    slider(
-        "Strength", sculpt.recall ? sculpt.recallStrength : sculpt.strengthOf(sculpt.action),
-        strength,
-        fmt::format("How much every dab does. {} drags it.", key(Command::dragStrength)).c_str());
+    const Strengths says = strengthsOf(sculpt.recall ? ActionKind::add : sculpt.action);
+    slider(says.name.data(),
+           sculpt.recall ? sculpt.recallStrength : sculpt.strengthOf(sculpt.action), strength,
+           fmt::format("{} {} drags it.", says.what, key(Command::dragStrength)).c_str());
   }
   if (!movesClay(sculpt.action)) {
     slider("Spacing", sculpt.spacing, {0.05, 8, "%", 100, 0, true},

@@ -24,7 +24,7 @@ constexpr std::array<ToolRow, kToolCount> kTools{{
     {stiffen, Icon::stiffen, "Stiffen", "Stiffen", "keeps its form when moved", soften, true,
      false},
     {soften, Icon::soften, "Soften", "Soften", "gives way sooner", stiffen, true, false},
-    {push, Icon::push, "Push", "Push", "clay gives way, none is lost", push, false, false},
+    {push, Icon::push, "Push", "Push", "clay gives way, none is lost", push, true, false},
     {grip, Icon::grip, "Grip", "Grip", "drags clay along", grip, true, false},
     {swell, Icon::swell, "Swell", "Swell", "clay swells out", swell, true, false},
 }};
@@ -54,6 +54,12 @@ std::span<const ToolRow, kToolCount> toolTable() { return kTools; }
 
 const ToolRow& rowOf(ActionKind action) {
   return *std::ranges::find(kTools, action, &ToolRow::action);
+}
+
+Strengths strengthsOf(ActionKind action) {
+  if (action == push)
+    return {"Depth", "How far the tool sinks into what it meets, as part of its radius."};
+  return {"Strength", "How much every dab does."};
 }
 
 double PressureCurve::operator()(double pressure) const {

@@ -49,6 +49,12 @@ inline constexpr int kToolCount = 14;
 std::span<const ToolRow, kToolCount> toolTable();
 const ToolRow& rowOf(ActionKind action);
 
+/// What an action's strength is called, and what it does.
+struct Strengths {
+  std::string_view name, what;
+};
+Strengths strengthsOf(ActionKind action);
+
 /// How the tool's own y axis stands.
 enum class Alignment { world, normal, view };
 
@@ -69,9 +75,9 @@ struct SculptState {
   Profile profile = Profile::wyvill;
   glm::dquat rotation{1, 0, 0, 0};
   Alignment alignment = Alignment::normal;
-  /// By action, in ActionKind's order.
+  /// By action, in ActionKind's order; of a push: how far it sinks, in radii (`Press`).
   std::array<double, kToolCount> strength{0.35, 0.35, 1,   1,   0.6, 0.6, 0.8,
-                                          1,    1,    0.5, 0.5, 1,   1,   0.5};
+                                          1,    1,    0.5, 0.5, .25, 1,   0.5};
   double depth = 0;  ///< of the tool's centre over the surface, in radii
   Colour colour, second{0xdc, 0xcb, 0xaa};
 

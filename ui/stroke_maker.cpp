@@ -11,12 +11,6 @@ glm::dvec2 Rope::pull(glm::dvec2 hand) {
   return end_;
 }
 
-std::optional<GroundHit> groundUnder(const PatchSet& patches, const Ray& ray, double spacing) {
-  const auto hit = patches.pick({ray.origin / spacing, ray.direction});
-  if (!hit) return std::nullopt;
-  return GroundHit{hit->position * spacing, hit->normal};
-}
-
 StrokeMaker::StrokeMaker(PatchSet ground, const SculptState& state, const Setting& setting)
     : ground_(std::move(ground)), state_(state), setting_(setting) {}
 
@@ -32,6 +26,7 @@ std::optional<StrokePoint> StrokeMaker::begin(glm::dvec2 pixel, double pressure)
   start_ = found.value_or(
       GroundHit{onFacingPlane(setting_.view, ray, setting_.airPoint), setting_.view.back()});
   depthPoint_ = start_.position;
+  if (onClay_ && setting_.pressOn) press_ = setting_.pressOn(start_);
   if (state_.steady) rope_.emplace(pixel, state_.rope);
   return pointAt(pixel, pressure);
 }
@@ -45,17 +40,25 @@ std::optional<StrokePoint> StrokeMaker::move(glm::dvec2 pixel, double pressure) 
   return pointAt(pixel, pressure);
 }
 
-// On the clay; beside it, at the depth where the clay was last.
+glm::dvec3 StrokeMaker::pressed(const Ray& ray, const GroundHit& ground, double pressure) const {
+  const glm::dvec3 normal = broadNormal(ground_, ray, ground, press_->radius(), setting_.spacing);
+  return press_->lift(normal, pressure);
+}
+
+// On the clay; beside it, at the depth where the clay was last. A tool that pushes keeps its
+// distance there too, and does not turn in behind a rim.
 StrokePoint StrokeMaker::pointAt(glm::dvec2 pixel, double pressure) {
   const Ray ray = rayThrough(setting_.view, setting_.extent, pixel);
   const auto found = onClay_ ? hit(ray) : std::nullopt;
+  const double felt = state_.curve(pressure);
   if (found) {
     depthPoint_ = found->position;
-    last_ = found->position + found->normal * (state_.depth * state_.size);
+    if (press_) lift_ = pressed(ray, *found, felt);
+    last_ = found->position + found->normal * (state_.depth * state_.size) + lift_;
   } else {
-    last_ = onFacingPlane(setting_.view, ray, depthPoint_);
+    last_ = onFacingPlane(setting_.view, ray, depthPoint_) + lift_;
   }
-  return {last_, state_.curve(pressure)};
+  return {last_, felt};
 }
 
 std::optional<glm::dvec2> StrokeMaker::ropeEnd() const {

@@ -1,12 +1,12 @@
 // From the pointer's path to points of a stroke: steadied, given pressure, laid on the clay or
 // through the air. Pure: what is under a pixel is asked of whoever calls.
 #pragma once
+#include <functional>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
 
-#include "ui/patch_set.hpp"
-#include "ui/sculpt_state.hpp"
+#include "ui/press.hpp"
 
 namespace bozzetto::ui {
 
@@ -24,11 +24,6 @@ class Rope {
   double length_;
 };
 
-/// The clay under a ray in world units, or nothing.
-struct GroundHit {
-  glm::dvec3 position{0}, normal{0, 1, 0};
-};
-
 /// Lays one stroke. The clay is the one it began on (`ground` is a copy of the patches), so that a
 /// stroke does not climb up what it adds.
 class StrokeMaker {
@@ -38,6 +33,8 @@ class StrokeMaker {
     Extent extent;
     double spacing = 1;      ///< world units per cell
     glm::dvec3 airPoint{0};  ///< strokes in the air run through the facing plane at this point
+    /// Of a stroke that begins there, when it pushes: the tool is led outside what it lies on.
+    std::function<std::optional<Press>(const GroundHit&)> pressOn{};
   };
 
   StrokeMaker(PatchSet ground, const SculptState& state, const Setting& setting);
@@ -58,17 +55,16 @@ class StrokeMaker {
  private:
   StrokePoint pointAt(glm::dvec2 pixel, double pressure);
   std::optional<GroundHit> hit(const Ray& ray) const;
+  glm::dvec3 pressed(const Ray& ray, const GroundHit& ground, double pressure) const;
 
   PatchSet ground_;
   const SculptState state_;
   Setting setting_;
   GroundHit start_;
   bool onClay_ = false;
-  glm::dvec3 last_{0}, depthPoint_{0};
+  std::optional<Press> press_;
+  glm::dvec3 last_{0}, depthPoint_{0}, lift_{0};
   std::optional<Rope> rope_;
 };
-
-/// The clay that a ray (world units) meets.
-std::optional<GroundHit> groundUnder(const PatchSet& patches, const Ray& ray, double spacing);
 
 }  // namespace bozzetto::ui

@@ -144,7 +144,7 @@ struct ClayStroke<Side>::State {
 
   DabPose dabPose(const Pose& pose) const {
     return {origin, pose.position, glm::mat3_cast(pose.rotation * tool.rotation),
-            tool.radii * pose.size};
+            tool.radii * std::max(pose.size, leastSize())};
   }
 
   // Smaller than two cells no tool is.
@@ -161,7 +161,7 @@ struct ClayStroke<Side>::State {
                   " found, a number in 0…1 expected");
     }
     const Pose pose{relativeTo(origin, point.position, spacing), normalisedRotation(rotation),
-                    sizes ? std::max(point.pressure, leastSize()) : 1};
+                    sizes ? point.pressure : 1};
     dabBox(dabPose(pose));
     return pose;
   }
@@ -287,7 +287,7 @@ struct ClayStroke<Side>::State {
     lookAround(tools);
     if (!region) return report;
     const bool touched = touching;
-    touching = touches(tools);
+    touching = path->at(now).size > 0 && touches(tools);
     if (!touching) return report;
     if (!touched) lookAgain(tools);
     if (!touched && n > 0) tools = toolsAt(contactIn(before, now), now);

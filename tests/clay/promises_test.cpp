@@ -48,6 +48,27 @@ TEST(Promises, SlowAThousandStepsOfEveryLayerKeepTheMass) {
   }
 }
 
+// A pen that sizes the tool and hovers does not touch; from the lightest touch on the tool is as
+// small as tools are.
+TEST(Promises, WithoutPressureAToolThatIsSizedByItDoesNotTouch) {
+  Clay clay;
+  addSolid(clay, Shape::ellipsoid, {0, 0, 0}, {12, 12, 12});
+  const std::uint64_t before = fieldHash(clay);
+  Push push = pushOf(Shape::ellipsoid, {5, 5, 5}, 0);
+  push.stroke.pressure.size = true;
+  push.stroke.points = {{{-12, 8, 0}, 0}, {{12, 8, 0}, 0}};
+  run(clay, push);
+  EXPECT_EQ(fieldHash(clay), before);
+  push.stroke.points = {{{-12, 8, 0}, 0}, {{12, 8, 0}, 0.01}};
+  run(clay, push);
+  const std::uint64_t light = fieldHash(clay);
+  EXPECT_NE(light, before);
+  push.stroke.pressure.size = false;
+  push.stroke.points = {{{-12, 8, 0}, 0}, {{12, 8, 0}, 0}};
+  run(clay, push);
+  EXPECT_NE(fieldHash(clay), light) << "pressure plays no other part";
+}
+
 // Bent by 90° with a rotating grip round a cylinder.
 TEST(Promises, SlowABendKeepsVolumeAndEdges) {
   Clay clay;

@@ -188,5 +188,26 @@ TEST_F(Moving, theBoxIsHeldAndLetGo) {
   expectReplays();
 }
 
+// The tool starts outside: pressing the button makes no crater as deep as the tool.
+TEST_F(Moving, aPressSinksByAShareOfTheRadius) {
+  const auto front = [&] {
+    moveTo(middle());
+    settle();
+    return glm::dot(atelier_.hover().ground.value().position, atelier_.view.back());
+  };
+  atelier_.sculpt.clay.stiffness = 0;
+  for (const double depth : {0.25, 0.5}) {
+    atelier_.sculpt.strengthOf(ActionKind::push) = depth;
+    const double before = front();
+    const glm::dvec3 ghost(atelier_.overlays().tools.at(0).cellsFromTool[3]);
+    const double spacing = atelier_.status().scale.spacing;
+    EXPECT_NEAR(glm::dot(ghost, atelier_.view.back()) * spacing - before, 8 * (1 - depth), 0.4)
+        << "the ghost stands where the tool will";
+    click(middle());
+    EXPECT_NEAR(before - front(), 8 * depth, 0.8) << depth;
+  }
+  expectReplays();
+}
+
 }  // namespace
 }  // namespace bozzetto::ui

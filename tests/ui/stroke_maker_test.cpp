@@ -113,6 +113,93 @@ TEST(StrokeMaker, worksInTheAirWhereItIsAllowed) {
   EXPECT_FALSE(other.begin({40, 40}, 1).has_value());
 }
 
+// A view in which strokes push with this tool.
+StrokeMaker::Setting pressing(const SculptState& state, const ToolShape& tool) {
+  StrokeMaker::Setting setting = frontView();
+  setting.pressOn = [=](const GroundHit&) { return Press(tool, state, setting.spacing); };
+  return setting;
+}
+
+TEST(StrokeMaker, aPushSinksByAShareOfItsRadiusAllTheWay) {
+  SculptState state;
+  state.strengthOf(ActionKind::push) = 0.25;
+  StrokeMaker maker(ballSet(), state, pressing(state, ToolShape{}));
+  EXPECT_NEAR(maker.begin({400, 300}, 1)->position.z, kRadius + 6, 0.1);
+  for (int x = 405; x < 460; x += 5) {
+    const glm::dvec3 at = maker.move({x, 300}, 1)->position;
+    EXPECT_NEAR(glm::length(at), kRadius + 6, 0.25) << x;
+  }
+  EXPECT_NEAR(glm::length(maker.move({430, 300}, 0.5)->position), kRadius + 7, 0.2)
+      << "half as deep, with half the pressure";
+  EXPECT_NEAR(glm::length(maker.move({430, 300}, 0)->position), kRadius + 8, 0.2) << "it touches";
+}
+
+TEST(StrokeMaker, aPushLeavesTheClayWithoutTurningIn) {
+  SculptState state;
+  StrokeMaker maker(ballSet(), state, pressing(state, ToolShape{}));
+  maker.begin({400, 300}, 1);
+  glm::dvec3 last(0);
+  for (int x = 405; x < 600; x += 5) {
+    const glm::dvec3 at = maker.move({x, 300}, 1)->position;
+    EXPECT_GT(glm::length(at), kRadius + 5) << x;
+    EXPECT_GT(at.x, last.x) << x;
+    last = at;
+  }
+}
+
+TEST(StrokeMaker, aPushFromTheAirIsNotLed) {
+  SculptState state;
+  StrokeMaker::Setting setting = pressing(state, ToolShape{});
+  setting.airPoint = {0, 0, 3};
+  StrokeMaker maker(ballSet(), state, setting);
+  EXPECT_NEAR(maker.begin({40, 300}, 1)->position.z, 3, 1e-9);
+  EXPECT_NEAR(maker.move({400, 300}, 1)->position.z, 3, 1e-9);
+}
+
+// Of every form the side that meets the clay sinks by the share of its half width.
+TEST(Press, knowsHowFarAToolReaches) {
+  SculptState state;
+  state.strengthOf(ActionKind::push) = 0.5;
+  const double half = std::sqrt(0.5);
+  const glm::dvec3 slanted(0, half, half);
+  const auto lift = [&](Shape shape, glm::dvec3 normal) {
+    ToolShape tool;
+    tool.shape = shape;
+    tool.radii = {4, 10, 4};
+    return glm::dot(Press(tool, state, 1).lift(normal, 1), normal);
+  };
+  for (const Shape shape : {Shape::ellipsoid, Shape::box, Shape::cylinder, Shape::capsule}) {
+    EXPECT_NEAR(lift(shape, {0, 1, 0}), 5, 1e-12);
+    EXPECT_NEAR(lift(shape, {1, 0, 0}), 2, 1e-12);
+  }
+  EXPECT_NEAR(lift(Shape::ellipsoid, slanted), 0.5 * std::sqrt((100 + 16) / 2.), 1e-12);
+  EXPECT_NEAR(lift(Shape::box, slanted), 0.5 * ((9 + 3) * half + 1), 1e-12);
+  EXPECT_NEAR(lift(Shape::cylinder, slanted), 0.5 * (14 * half), 1e-12);
+  EXPECT_NEAR(lift(Shape::capsule, slanted), 0.5 * (6 * half + 4), 1e-12);
+}
+
+// A pen that sizes the tool: no smaller than tools are; a strength that pressure does not drive.
+TEST(Press, followsASizeUnderThePen) {
+  SculptState state;
+  state.strengthOf(ActionKind::push) = 0.25;
+  state.pressureStrength = false;
+  state.pressureSize = true;
+  const Press press(ToolShape{}, state, 1);
+  EXPECT_NEAR(press.lift({0, 0, 1}, 0.5).z, 3, 1e-12);
+  EXPECT_NEAR(press.lift({0, 0, 1}, 0).z, 1.5, 1e-12) << "of two cells";
+}
+
+// One wrinkle under the pointer does not turn the tool.
+TEST(Press, theNormalIsOfWhatTheToolLiesOn) {
+  const PatchSet ball = ballSet();
+  const Ray ray{{0, 0, 90}, {0, 0, -1}};
+  GroundHit wrinkle = *groundUnder(ball, ray, 1);
+  wrinkle.normal = {1, 0, 0};
+  EXPECT_GT(broadNormal(ball, ray, wrinkle, 8, 1).z, 0.95);
+  // Nothing beside it: its own.
+  EXPECT_EQ(broadNormal(PatchSet(), ray, wrinkle, 8, 1), wrinkle.normal);
+}
+
 TEST(Rope, isSlackUntilItIsTight) {
   Rope rope({0, 0}, 10);
   EXPECT_EQ(rope.pull({6, 0}), glm::dvec2(0, 0));

@@ -42,8 +42,8 @@ struct Doing {
 };
 
 /// A stroke step by step, so that a window can show each. The caller owns the edit and commits it.
-/// The tool's surface lies at its radii; pressure plays no part. Steps work on a copy of the clay
-/// within reach: all of the connected piece, or for fluid clay what is near the tool.
+/// The tool's surface lies at its radii, × the pressure where that drives size (0: no touch). Steps
+/// work on a copy of the clay within reach: all of the connected piece; of fluid clay what is near.
 template <int Side>
 class ClayStroke {
  public:
