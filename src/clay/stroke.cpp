@@ -70,6 +70,15 @@ void requireSound(const Stroke& stroke) {
   bozzetto::requireValid(stroke.placement);
 }
 
+std::string noticesOf(std::string notices, const std::vector<Support>& supports, double spacing) {
+  for (const Support& support : supports) {
+    const std::string thin = noticeOf(support, spacing);
+    if (thin.empty() || notices.find(thin) != std::string::npos) continue;
+    notices += (notices.empty() ? "" : "; ") + thin;
+  }
+  return notices;
+}
+
 std::vector<glm::dvec3> copiesOf(const Placement& placement, double spacing) {
   std::vector<glm::dvec3> copies;
   for (int i = 0; i < placement.copies[0]; ++i)
@@ -324,7 +333,7 @@ ClayStroke<Side>::ClayStroke(Edit<CornerBlock<Side>>& edit, const FieldScale& sc
   const FittedTool fitted = fitTool(tool, scale.spacing);
   state_->tool = fitted.shape;
   state_->tool.radii /= scale.spacing;
-  state_->notice = fitted.notice;
+  state_->notice = noticesOf(fitted.notice, setup.supports, scale.spacing);
   state_->origin = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
   state_->images = imagesOf(stroke.symmetry);
   state_->copies = copiesOf(stroke.placement, scale.spacing);

@@ -2,16 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
+#include "bozzetto/base/text.hpp"
 #include "bozzetto/tool/relative.hpp"
 
 namespace bozzetto::clay {
 namespace {
 
+constexpr double kThinnest = 2;  // cells
+
+glm::dvec3 widened(const Support& support, double spacing) {
+  if (support.shape == Shape::freeform) return support.radii;
+  return glm::max(support.radii, glm::dvec3(kThinnest / 2 * spacing));
+}
+
 DabPose poseOf(const Support& support, double spacing) {
   const Key origin = cellOf(support.centre, spacing, "support centre");
   return {origin, relativeTo(origin, support.centre, spacing),
-          glm::mat3_cast(normalisedRotation(support.rotation)), support.radii / spacing};
+          glm::mat3_cast(normalisedRotation(support.rotation)),
+          widened(support, spacing) / spacing};
 }
 
 }  // namespace
@@ -64,6 +74,13 @@ void requireInWorkspace(const Support& support, double spacing) {
   } catch (const Error& error) {
     throw Error(std::string("support: ") + error.what());
   }
+}
+
+std::string noticeOf(const Support& support, double spacing) {
+  if (widened(support, spacing) == support.radii) return {};
+  const double thickness = 2 * std::min({support.radii.x, support.radii.y, support.radii.z});
+  return "support of " + numberText(thickness / spacing) +
+         " cells widened to 2: clay would go through a thinner one";
 }
 
 }  // namespace bozzetto::clay

@@ -47,6 +47,8 @@ clay::Support supportFrom(const SupportOperation& operation, Workbench<Side>& be
   }
   clay::requireValid(support);
   clay::requireInWorkspace(support, bench.field().scale.spacing);
+  const std::string notice = clay::noticeOf(support, bench.field().scale.spacing);
+  if (!notice.empty()) telling.progress.note(notice);
   if (support.sculpture) support.sculpture->distance();
   return support;
 }

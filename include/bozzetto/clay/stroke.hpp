@@ -22,6 +22,10 @@ struct Support {
   friend bool operator==(const Support& a, const Support& b);
 };
 
+/// Supports under two cells of `spacing` stop no clay: strokes meet them widened to two, but for
+/// sculptures. One line that says so; empty for others.
+std::string noticeOf(const Support& support, double spacing);
+
 /// What a stroke meets beside the clay.
 struct Setup {
   Settings settings;
@@ -59,7 +63,7 @@ class ClayStroke {
 
   std::int64_t stepCount() const;
   std::int64_t sureSteps() const;     ///< those that `extend` cannot move
-  const std::string& notice() const;  ///< about the tool; may be empty
+  const std::string& notice() const;  ///< about the tool and supports; may be empty
 
   /// Makes the n-th step; they are made in order. O(clay within reach).
   StepReport step(std::int64_t n);
