@@ -15,12 +15,22 @@ bool givesWay(const clay::Settings& settings) {
       settings.layers, [](clay::LayerKind layer) { return layer != clay::LayerKind::tension; });
 }
 
+// What displacement leads together only conservation parts again.
+bool crams(const clay::Settings& settings) {
+  const auto runs = [&](clay::LayerKind layer) {
+    return std::ranges::find(settings.layers, layer) != settings.layers.end();
+  };
+  return runs(clay::LayerKind::displacement) && !runs(clay::LayerKind::conservation);
+}
+
 template <int Side>
 void run(const ClayOperation& operation, Workbench<Side>& bench, const Telling& telling) {
   requireValid(operation.settings);
   if (!givesWay(operation.settings))
     telling.progress.note(
         "clay: without layers that move it, strokes that push or grip do nothing");
+  if (crams(operation.settings))
+    telling.progress.note("clay: it is crammed where it is pushed: no layer conserves its volume");
   bench.clay.settings = operation.settings;
 }
 
