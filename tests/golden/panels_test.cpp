@@ -306,7 +306,8 @@ TEST_F(Views, smoothedClay) {
   push.action.kind = ActionKind::push;
   StrokeOperation down;
   down.stroke.points = {{{0, 30, 0}, 1}, {{0, 15, 0}, 1}};
-  for (const Operation& each : {Operation(ball), Operation(push), Operation(down)})
+  const HoldOperation below{{-30, -30, -30}, {30, -10, 30}};  // else all of it would move as it is
+  for (const Operation& each : {Operation(ball), Operation(below), Operation(push), Operation(down)})
     atelier_.apply(each);
   atelier_.view.turnTo(0.42, 0.6);
   still();
