@@ -26,7 +26,7 @@ class ShownClay {
   struct Copy {
     Clay clay;
     Surface<8> surface;
-    std::vector<KeyRun> waiting{};  // for the surface
+    std::vector<KeyRun> waiting;  // for the surface
   };
   std::optional<Copy> copy_;
 };
