@@ -307,7 +307,8 @@ TEST_F(Views, smoothedClay) {
   StrokeOperation down;
   down.stroke.points = {{{0, 30, 0}, 1}, {{0, 15, 0}, 1}};
   const HoldOperation below{{-30, -30, -30}, {30, -10, 30}};  // else all of it would move as it is
-  for (const Operation& each : {Operation(ball), Operation(below), Operation(push), Operation(down)})
+  for (const Operation& each :
+       {Operation(ball), Operation(below), Operation(push), Operation(down)})
     atelier_.apply(each);
   atelier_.view.turnTo(0.42, 0.6);
   still();
