@@ -66,6 +66,13 @@ bool isOnSurface(const Region& region, std::size_t cell) {
   return partly(cell);
 }
 
+// The first cells of the rows of a tile, from its own first cell.
+template <class Callback>
+void forRowsOfTile(const Region& region, std::size_t first, const Callback& callback) {
+  for (int n = 0; n < 64; ++n)
+    callback(first + n / 8 * region.strides()[0] + n % 8 * region.strides()[1]);
+}
+
 // Two tiles more on every side: whose blocks matter can reach.
 KeyBox around(const std::vector<Key>& tiles) {
   KeyBox box{tiles.front(), tiles.front()};
@@ -158,11 +165,10 @@ bool Automaton::sweepTile(Work& work, Key tile, int parity) {
 template <class Callback>
 void Automaton::forMoved(const Region& region, const Callback& callback) const {
   for (const std::uint32_t first : given_)
-    for (int n = 0; n < 64; ++n) {
-      const std::size_t row = first + n / 8 * region.strides()[0] + n % 8 * region.strides()[1];
-      for (std::size_t cell = row; cell < row + 8; ++cell)
+    forRowsOfTile(region, first, [&](std::size_t row) {
+      for (std::size_t cell = row; cell < row + Region::kTile; ++cell)
         if ((region.mark2[cell] & kMoved) != 0) callback(cell);
-    }
+    });
 }
 
 // Cells of blocks that gave, if they are of the surface.
@@ -171,9 +177,9 @@ void Automaton::listMoved(Region& region) {
     if (isOnSurface(region, cell)) moved_.push_back(static_cast<std::uint32_t>(cell));
   });
   for (const std::uint32_t first : given_)
-    for (int n = 0; n < 64; ++n)
-      std::fill_n(&region.mark2[first + n / 8 * region.strides()[0] + n % 8 * region.strides()[1]],
-                  Region::kTile, std::uint8_t{0});
+    forRowsOfTile(region, first, [&](std::size_t row) {
+      std::fill_n(&region.mark2[row], Region::kTile, std::uint8_t{0});
+    });
   given_.clear();
 }
 

@@ -30,14 +30,13 @@ class Automaton final : public Layer {
   bool sweep(Work& work, int parity);
   bool sweepTile(Work& work, Key tile, int parity);
   void spreadHeat(Region& region);
-
-  Pulling pulling_;
   bool widen(Work& work);
   void note(Region& region, Key tile);
   template <class Callback>
   void forMoved(const Region& region, const Callback& callback) const;
   void listMoved(Region& region);
 
+  Pulling pulling_;
   Swelling swelling_;
   Fairing fairing_;
   MovedCells moved_;

@@ -6,6 +6,7 @@
 
 #include "bozzetto/base/error.hpp"
 #include "bozzetto/base/parallel.hpp"
+#include "bozzetto/grid/key_box.hpp"
 
 namespace bozzetto {
 namespace {
@@ -28,13 +29,6 @@ KeyBox blocksOver(const glm::dvec3& low, const glm::dvec3& high) {
     box.high[axis] = static_cast<std::int32_t>(std::floor(high[a] + kSlack)) >> 3;
   }
   return box;
-}
-
-template <class Callback>
-void forKeys(const KeyBox& box, Callback&& callback) {
-  for (std::int32_t i = box.low.i; i <= box.high.i; ++i)
-    for (std::int32_t j = box.low.j; j <= box.high.j; ++j)
-      for (std::int32_t k = box.low.k; k <= box.high.k; ++k) callback(Key{i, j, k});
 }
 
 bool isFull(const Block* block) { return block != nullptr && block->interned && block->low >= 1; }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "bozzetto/grid/key_box.hpp"
 #include "tool/block_work.hpp"
 #include "tool/local_count.hpp"
 #include "tool/lowpass.hpp"
@@ -18,13 +19,6 @@ namespace {
 constexpr double kWidest = 4;  // reference radii
 constexpr int kMostLayers = 64;
 constexpr int kRoundingBits = 30;  // of the mass pressed what may stay missing: 1e-9
-
-template <class Visit>
-void forKeys(const KeyBox& box, Visit&& visit) {
-  for (auto i = box.low.i; i <= box.high.i; ++i)
-    for (auto j = box.low.j; j <= box.high.j; ++j)
-      for (auto k = box.low.k; k <= box.high.k; ++k) visit(Key{i, j, k});
-}
 
 template <int Side>
 Key cornerIn(int n) {
