@@ -5,7 +5,7 @@
 #include <span>
 
 #include "tool/corner_loop.hpp"
-#include "tool/trilinear_avx2.hpp"
+#include "tool/turned_avx2.hpp"
 
 namespace bozzetto {
 namespace {
@@ -18,6 +18,7 @@ bool oneByOne(const FixedFrame& frame) { return frame.step[2][2] == 1 << kFracti
 #if defined(__x86_64__)
 BOZZETTO_TARGET_AVX2 void alignedAvx2(const TilePatch& patch, float* result) {
   if (oneByOne(patch.frame)) return oneByOneAvx2(patch, result);
+  if (patch.box != nullptr) return scaledAvx2(patch, result);
   alignedBody<8>(patch, result);
 }
 #endif
@@ -38,10 +39,9 @@ void reconstruct(const TilePatch& patch, int side, float* result) {
   straight ? alignedBody<8>(patch, result) : turnedBody<8>(patch, result);
 }
 
-// Which blocks read the tool as one box: those that read far more corners than they have, and
-// those that read it in rows as they lie. Others take whole planes of what they read.
+// Plain kernels of straight tools read tiles: whole planes of them at once.
 bool readsBox(const FixedFrame& frame, int side) {
-  return !aligned(frame) || (side == 8 && hasAvx2() && oneByOne(frame));
+  return !aligned(frame) || (side == 8 && hasAvx2());
 }
 
 class FreeformPotential final : public Potential {
@@ -89,7 +89,9 @@ class FreeformPotential final : public Potential {
       if (read.low[axis] > level_->bounds.high[axis]) return true;
     }
     if (high.k - low.k > 7) return false;  // a column: too many blocks to look at
-    return !level_->blocks.any(read);
+    const ToolBox& box = level_->box();
+    if (box.value.empty()) return !level_->blocks.any(read);
+    return box.bricks.kindOf(read.low - box.low, read.high - box.low) == ToolKind::empty;
   }
 
   void evaluate(const LocalFrame& frame, Key first, int side, float* potential) const override {
@@ -97,7 +99,7 @@ class FreeformPotential final : public Potential {
       return evaluateBoxed(frame, first, side, potential);
     ToolTile tile;
     gatherTile(frame, first, side, tile);
-    if (tile.kind != ToolTile::Kind::varied) return fillAlike(tile.kind, side, potential);
+    if (tile.kind != ToolKind::varied) return fillAlike(tile.kind, side, potential);
     reconstruct({frame.fixed, first, base_, tile.low, tile.wide, tile.value.data()}, side,
                 potential);
   }
@@ -119,7 +121,7 @@ class FreeformPotential final : public Potential {
       std::fill_n(colours, count, only);
       return;
     }
-    if (tile.kind == ToolTile::Kind::full) tile.value.fill(1);
+    if (tile.kind == ToolKind::full) tile.value.fill(1);
     mixColours({frame.fixed, first, base_, tile.low, tile.wide, nullptr}, tile, attributes.data(),
                {colours, static_cast<std::size_t>(side * side * side)});
   }
@@ -142,8 +144,8 @@ class FreeformPotential final : public Potential {
     return read;
   }
 
-  static void fillAlike(ToolTile::Kind kind, int side, float* potential) {
-    std::fill_n(potential, side * side * side, kind == ToolTile::Kind::full ? 1.0f : 0.0f);
+  static void fillAlike(ToolKind kind, int side, float* potential) {
+    std::fill_n(potential, side * side * side, kind == ToolKind::full ? 1.0f : 0.0f);
   }
 
   KeyBox cornersRead(const LocalFrame& frame, Key first, int side) const {
@@ -152,10 +154,11 @@ class FreeformPotential final : public Potential {
 
   void evaluateBoxed(const LocalFrame& frame, Key first, int side, float* potential) const {
     const KeyBox read = cornersRead(frame, first, side);
-    const ToolTile::Kind kind = kindOf(level_->blocks, read.low, read.high);
-    if (kind != ToolTile::Kind::varied) return fillAlike(kind, side, potential);
     const ToolBox& box = level_->box();
-    reconstruct({frame.fixed, first, base_, box.low, box.wide, box.value.data()}, side, potential);
+    const ToolKind kind = box.bricks.kindOf(read.low - box.low, read.high - box.low);
+    if (kind != ToolKind::varied) return fillAlike(kind, side, potential);
+    reconstruct({frame.fixed, first, base_, box.low, box.wide, box.value.data(), &box}, side,
+                potential);
   }
 
   void gatherTile(const LocalFrame& frame, Key first, int side, ToolTile& tile) const {
@@ -223,7 +226,7 @@ std::shared_ptr<const DistanceField> SculptureLevel::outside(float iso, int reac
 }
 
 const ToolBox& SculptureLevel::box() const {
-  std::call_once(boxed_, [this] { box_ = std::make_unique<const ToolBox>(clay); });
+  std::call_once(boxed_, [this] { box_ = std::make_unique<const ToolBox>(clay, bounds); });
   return *box_;
 }
 

@@ -5,6 +5,7 @@
 #include "bozzetto/tool/potential.hpp"
 #include "bozzetto/tool/sculpture.hpp"
 #include "tool/distance_field.hpp"
+#include "tool/tool_box.hpp"
 #include "tool/tool_tile.hpp"
 
 namespace bozzetto {

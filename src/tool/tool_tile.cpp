@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "tool/block_work.hpp"
-#include "tool/density_grid.hpp"
 #include "tool/float_bits.hpp"
 
 namespace bozzetto {
@@ -97,7 +96,7 @@ void copyValues(const CornerBlock<8>& block, Key from, Key until, ToolTile& tile
 
 }  // namespace
 
-ToolTile::Kind kindOf(const BlockTable& blocks, Key low, Key high) {
+ToolKind kindOf(const BlockTable& blocks, Key low, Key high) {
   const CornerBlock<8>* first = blocks.at(Geometry::blockOf(low));
   // Of other values than 1 the sums of reconstruction round.
   bool alike = first == nullptr || (first->interned && first->value[0] >= 1);
@@ -105,23 +104,8 @@ ToolTile::Kind kindOf(const BlockTable& blocks, Key low, Key high) {
     const bool full = block != nullptr && block->interned && block->value[0] >= 1;
     alike = alike && (first == nullptr ? block == nullptr : full);
   });
-  if (!alike) return ToolTile::Kind::varied;
-  return first == nullptr ? ToolTile::Kind::empty : ToolTile::Kind::full;
-}
-
-ToolBox::ToolBox(const Clay& clay) {
-  constexpr int rim = ToolTile::kWidest + 2;
-  if (clay.tree.empty()) return;
-  const KeyBox blocks = boxOf(clay);
-  low = Geometry::firstCornerOf(blocks.low) - Key{rim, rim, rim};
-  const Key high = Geometry::firstCornerOf(blocks.high) + Key{7 + rim, 7 + rim, 7 + rim};
-  const std::int64_t corners = KeyBox{low, high}.count();
-  if (corners > kMostCorners) return;
-  for (const Axis axis : kAxes)
-    wide[static_cast<std::size_t>(index(axis))] = high[axis] - low[axis] + 1;
-  value.assign(static_cast<std::size_t>(corners), 0);
-  readDensities(clay, low, wide, value);
-  for (float& each : value) each = std::min(each, 1.0f);
+  if (!alike) return ToolKind::varied;
+  return first == nullptr ? ToolKind::empty : ToolKind::full;
 }
 
 BlockTable::BlockTable(const Clay& clay) : clay_(&clay), box_(boxOf(clay)) {
@@ -169,7 +153,7 @@ void gather(const BlockTable& blocks, Key low, Key high, ToolTile& tile) {
   tile.low = {low.i, low.j, low.k & ~7};
   tile.wide = {high.i - low.i + 1, high.j - low.j + 1, ((high.k | 7) - tile.low.k) + 1};
   tile.kind = kindOf(blocks, tile.low, topOf(tile));
-  if (tile.kind != ToolTile::Kind::varied) return;
+  if (tile.kind != ToolKind::varied) return;
   forParts(blocks, tile, [&](const CornerBlock<8>* block, Key from, Key until) {
     copyValues(block == nullptr ? emptyBlock<8>() : *block, from, until, tile);
   });

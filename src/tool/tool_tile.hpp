@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bozzetto/field/field.hpp"
+#include "tool/tool_bricks.hpp"
 
 namespace bozzetto {
 
@@ -32,24 +33,12 @@ struct ToolTile {
   static constexpr std::size_t kCorners = kWidest * kWidest * kWidestK + 8;
   Key low;
   std::array<int, 3> wide;
-  enum class Kind { empty, full, varied } kind;  ///< full: 1 everywhere
+  ToolKind kind;
   alignas(64) std::array<float, kCorners> value;
 };
 
-/// All corners of a small tool in one box, so wide that no block of clay that meets the tool reads
-/// outside: turned tools, whose blocks read far more corners than they have, read it as it is.
-struct ToolBox {
-  /// Empty where the tool is larger than so many corners (4 MiB): it would not stay in the cache.
-  static constexpr std::int64_t kMostCorners = 1 << 20;
-  explicit ToolBox(const Clay& clay);
-
-  Key low;
-  std::array<int, 3> wide{};
-  std::vector<float> value;
-};
-
 /// What blocks the corners low … high touch are, all together.
-ToolTile::Kind kindOf(const BlockTable& blocks, Key low, Key high);
+ToolKind kindOf(const BlockTable& blocks, Key low, Key high);
 
 /// Fills the tile with the corners low … high and some more, unless they are all 0 or all 1. Values
 /// above 1 count as 1.

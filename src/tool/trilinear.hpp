@@ -3,7 +3,10 @@
 // instruction sets and mirrored tools agree to the bit, and offsets that miss a corner by rounding
 // only hit it.
 #pragma once
+#include <algorithm>
+
 #include "bozzetto/tool/potential.hpp"
+#include "tool/tool_box.hpp"
 #include "tool/tool_tile.hpp"
 
 namespace bozzetto {
@@ -28,6 +31,7 @@ struct TilePatch {
   Key low;    // of the box of values
   std::array<int, 3> wide;
   const float* value;
+  const ToolBox* box = nullptr;  // whose values they are
 };
 
 BOZZETTO_KERNEL float mixed(float a, float b, float t) { return a * (1.0f - t) + b * t; }
@@ -42,6 +46,12 @@ BOZZETTO_KERNEL Place placeOn(std::int32_t position, std::int32_t tileLow) {
   constexpr std::int32_t mask = (1 << kFractionBits) - 1;
   return {(position >> kFractionBits) - tileLow,
           static_cast<float>(position & mask) * (1.0f / (1 << kFractionBits))};
+}
+
+// The same of places beyond the box: at its rim.
+BOZZETTO_KERNEL Place placeWithin(std::int32_t position, std::int32_t tileLow, std::int32_t last) {
+  const Place place = placeOn(position, tileLow);
+  return {std::clamp(place.corner, 0, last), place.fraction};
 }
 
 BOZZETTO_KERNEL float cellAt(const float* at, std::int32_t strideI, std::int32_t strideJ,
@@ -71,7 +81,8 @@ BOZZETTO_KERNEL void turnedBody(const TilePatch& patch, float* result) {
       for (int k = 0; k < Side; ++k) {
         Place place[3];
         for (int axis = 0; axis < 3; ++axis) {
-          place[axis] = placeOn(start[axis] + k * frame.step[2][axis], low[axis]);
+          place[axis] =
+              placeWithin(start[axis] + k * frame.step[2][axis], low[axis], patch.wide[axis] - 2);
           t[axis][k] = place[axis].fraction;
         }
         at[k] = place[0].corner * strideI + place[1].corner * strideJ + place[2].corner;

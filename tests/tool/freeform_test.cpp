@@ -139,6 +139,31 @@ TEST(Freeform, sidesAndInstructionSetsAgreeToTheBit) {
   forbidSimd(false);
 }
 
+// Tools with an inside and an outside that nobody reads, straight, scaled and turned.
+TEST(Freeform, insidesOfLargeToolsAgreeToTheBit) {
+  Clay hollow = clayBall<8>(27);
+  Edit<CornerBlock<8>> edit(hollow.tree);
+  clear<8>(edit, KeyBox{{-2, -9, -30}, {7, 4, 3}});
+  edit.commit();
+  const auto session = [&]<int Side>() {
+    Field<Side> field = clayBall<Side>(20);
+    ToolShape tool = toolOf(hollow);
+    for (int n = 0; n < 6; ++n) {
+      tool.scale = glm::dvec3(1, 0.8 + 0.2 * n, n < 3 ? 1 : 0.71);
+      tool.rotation = n % 2 == 0 ? glm::dquat(1, 0, 0, 0) : glm::dquat(0.8, 0.3, -0.4, 0.2 * n);
+      const auto kind = n % 3 == 0 ? ActionKind::remove : ActionKind::add;
+      stroke(field, tool, {kind, 0.4, kToolColour}, lineOf({-9.25, 3, n - 4.0}, {11, 12.1, 3}));
+    }
+    EXPECT_EQ(validate(field), std::nullopt);
+    return fieldHash(field);
+  };
+  const auto eight = session.template operator()<8>();
+  EXPECT_EQ(session.template operator()<1>(), eight);
+  forbidSimd(true);
+  EXPECT_EQ(session.template operator()<8>(), eight);
+  forbidSimd(false);
+}
+
 TEST(Freeform, symmetricToolsLeaveSymmetricClay) {
   Clay source = clayBall<8>(7);
   fillInto(source, ballOf(4, {9, 2, 0}));
