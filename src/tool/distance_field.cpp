@@ -6,6 +6,7 @@
 #include "tool/density_grid.hpp"
 #include "tool/eikonal.hpp"
 #include "tool/float_bits.hpp"
+#include "tool/squares_avx2.hpp"
 #include "tool/trilinear_avx2.hpp"
 
 namespace bozzetto {
@@ -88,8 +89,20 @@ BOZZETTO_KERNEL void rowKernel(const float* grid, const std::array<int, 3>& wide
 }
 
 #if defined(__x86_64__)
-BOZZETTO_TARGET_AVX2 __m256 lineAvx2(const float* from, __m256i at, __m256 t, __m256 rest) {
-  return mixed(_mm256_i32gather_ps(from, at, 4), _mm256_i32gather_ps(from + 1, at, 4), t, rest);
+// Between the corners of eight squares, along k and j.
+BOZZETTO_TARGET_AVX2 inline __m256 squareAvx2(const Sorted& all, const __m256 (&t)[3],
+                                              const __m256 (&rest)[3]) {
+  return mixed(mixed(all.corner, all.next, t[2], rest[2]),
+               mixed(all.beside, all.besideNext, t[2], rest[2]), t[1], rest[1]);
+}
+
+[[gnu::always_inline]] BOZZETTO_TARGET_AVX2 inline Sorted squaresAvx2(const float* grid,
+                                                                      const std::int32_t* at,
+                                                                      std::ptrdiff_t strideJ) {
+  __m256 two[4];
+  for (int n = 0; n < 4; ++n)
+    two[n] = both(squareAt(grid + at[n], strideJ), squareAt(grid + at[n + 4], strideJ));
+  return sorted(two[0], two[1], two[2], two[3]);
 }
 
 // The same arithmetic, bit for bit; compilers make scalar loads of its scattered reads.
@@ -113,11 +126,10 @@ BOZZETTO_TARGET_AVX2 void rowAvx2(const float* grid, const std::array<int, 3>& w
     rest[a] = _mm256_sub_ps(one, t[a]);
     at = _mm256_add_epi32(at, _mm256_mullo_epi32(corner, _mm256_set1_epi32(stride[a])));
   }
-  const float* const far = grid + stride[0];
-  const __m256 nearest = mixed(lineAvx2(grid, at, t[2], rest[2]),
-                               lineAvx2(grid + stride[1], at, t[2], rest[2]), t[1], rest[1]);
-  const __m256 farthest = mixed(lineAvx2(far, at, t[2], rest[2]),
-                                lineAvx2(far + stride[1], at, t[2], rest[2]), t[1], rest[1]);
+  alignas(32) std::int32_t cells[8];
+  _mm256_store_si256(reinterpret_cast<__m256i*>(cells), at);
+  const __m256 nearest = squareAvx2(squaresAvx2(grid, cells, stride[1]), t, rest);
+  const __m256 farthest = squareAvx2(squaresAvx2(grid + stride[0], cells, stride[1]), t, rest);
   _mm256_storeu_ps(distance, _mm256_mul_ps(mixed(nearest, farthest, t[0], rest[0]),
                                            _mm256_set1_ps(places.scale)));
 }
