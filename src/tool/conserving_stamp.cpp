@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <utility>
 
+#include "bozzetto/base/parallel.hpp"
 #include "bozzetto/grid/key_box.hpp"
 #include "tool/block_work.hpp"
 #include "tool/local_count.hpp"
@@ -123,19 +125,26 @@ bool ConservingStamp<Side>::reaches(Key block) const {
 }
 
 template <int Side>
+auto ConservingStamp<Side>::newPlace() -> Place& {
+  const std::lock_guard lock(making_);
+  if (madeCount_ == made_.size()) made_.emplace_back();
+  return made_[madeCount_++];
+}
+
+// From several threads, each with its own blocks.
+template <int Side>
 auto ConservingStamp<Side>::placeOf(Key block) -> const Place& {
   const Place*& known = places_[indexOf(block)];
   if (known == nullptr) {
-    if (madeCount_ == made_.size()) made_.emplace_back();
-    Place* const made = &made_[madeCount_++];
-    known = made;
+    Place& made = newPlace();
+    known = &made;
     alignas(64) float depth[Block::kCount], body[Block::kCount];
     if (hasWall()) {
       depth_->evaluateWithBody(frame_, firstOf(block), Side, depth, body);
     } else {
       depth_->evaluate(frame_, firstOf(block), Side, depth);
     }
-    bend(block, depth, body, *made);
+    bend(block, depth, body, made);
   }
   return *known;
 }
@@ -230,15 +239,23 @@ void ConservingStamp<Side>::sweep() {
   });
 }
 
-// Lists the corners that may rise.
+// Lists the corners that may rise: threads share the blocks out, and what they find is in the order
+// of the blocks.
 template <int Side>
 void ConservingStamp<Side>::look(double widening) {
+  constexpr std::size_t grain = Side == 1 ? 2048 : 32;
   reachOut(widening);
-  risers_.clear();
-  value_.clear();
-  climb_.clear();
-  most_.clear();
-  for (std::size_t n = 0; n < listed_.size(); ++n) lookAt(n);
+  risers_.resize(0);
+  std::map<std::size_t, Risers> later;  // than those of the first range
+  std::mutex adding;
+  parallelFor(listed_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    Risers found;
+    Risers& risers = begin == 0 ? risers_ : found;
+    for (std::size_t n = begin; n < end; ++n) lookAt(n, risers);
+    const std::lock_guard lock(adding);
+    if (begin != 0) later.emplace(begin, std::move(found));
+  });
+  for (const auto& [begin, found] : later) risers_.append(found);
   held_ = 0;
   held_ = gain(0);
   layer_ = gain(kFarthestClimb);
@@ -264,7 +281,7 @@ Neighbourhood<Side> ConservingStamp<Side>::around(Key block) const {
 
 // The tool is asked where it lies only where there is clay to climb.
 template <int Side>
-void ConservingStamp<Side>::lookAt(std::size_t listed) {
+void ConservingStamp<Side>::lookAt(std::size_t listed, Risers& risers) {
   const Key block = listed_[listed];
   const std::size_t at = indexOf(block);
   const Block* own = table_[at];
@@ -273,11 +290,12 @@ void ConservingStamp<Side>::lookAt(std::size_t listed) {
   alignas(64) float climb[Block::kCount];
   if (!climbOf<Side>(facesOf(block), climb)) return;
   const Place& place = placeOf(block);
-  if (place.rises) addRisers(listed, place, climb);
+  if (place.rises) addRisers(listed, place, climb, risers);
 }
 
 template <int Side>
-void ConservingStamp<Side>::addRisers(std::size_t listed, const Place& place, const float* steep) {
+void ConservingStamp<Side>::addRisers(std::size_t listed, const Place& place, const float* steep,
+                                      Risers& risers) const {
   const Block* present = table_[indexOf(listed_[listed])];
   const Block& own = present == nullptr ? emptyBlock<Side>() : *present;
   alignas(64) std::array<float, Block::kCount> climb;
@@ -285,18 +303,15 @@ void ConservingStamp<Side>::addRisers(std::size_t listed, const Place& place, co
   ratesOf({own.value.data(), place.most.data(), place.curve.data(), own.attributes.data(),
            static_cast<float>(dab_->strength)},
           Block::kCount, climb.data());
-  const auto all = risers_.size();
+  const auto all = risers.size();
   const auto more = all + static_cast<std::size_t>(std::ranges::count_if(climb, isAboveZero));
-  risers_.resize(more);
-  value_.resize(more);
-  climb_.resize(more);
-  most_.resize(more);
+  risers.resize(more);
   for (std::size_t n = 0, to = all; to < more; ++n) {
     if (!(climb[n] > 0)) continue;
-    risers_[to] = listed * Block::kCount + n;
-    value_[to] = own.value[n];
-    climb_[to] = climb[n];
-    most_[to++] = place.most[n];
+    risers.place[to] = listed * Block::kCount + n;
+    risers.value[to] = own.value[n];
+    risers.climb[to] = climb[n];
+    risers.most[to++] = place.most[n];
   }
 }
 
@@ -307,8 +322,8 @@ void ConservingStamp<Side>::colour() {
   colours_.clear();
   std::size_t known = listed_.size();
   for (std::size_t n = 0; n < risers_.size(); ++n) {
-    if (value_[n] > 0) continue;
-    const std::size_t listed = risers_[n] / Block::kCount;
+    if (risers_.value[n] > 0) continue;
+    const std::size_t listed = risers_.place[n] / Block::kCount;
     if (listed != known) lowpass<Side>(around(listed_[listed]), near);
     known = listed;
     colours_.push_back(colourAt(near.result, cornerOf(n)));
@@ -318,7 +333,7 @@ void ConservingStamp<Side>::colour() {
 // By a layer that rises so far, in cells.
 template <int Side>
 MassUnits ConservingStamp<Side>::gain(float way) const {
-  return risenSum({value_.data(), climb_.data(), most_.data(), value_.size()}, way) - held_;
+  return risenSum(risers_.climbers(), way) - held_;
 }
 
 // How many times higher than asked for the whole would lift the crest.
@@ -358,12 +373,12 @@ MassUnits ConservingStamp<Side>::raise(float way, MassUnits mass) {
   const MassUnits rest = mass - (way < kFarthestClimb ? gain(way) : layer_);
   auto colour = colours_.begin();
   for (std::size_t n = 0; n < risers_.size(); ++n) {
-    const float made = risen(value_[n], climb_[n], most_[n], way);
-    const Attributes fresh = value_[n] > 0 ? 0 : *colour++;
-    if (made == value_[n]) continue;
+    const float made = risen(risers_.value[n], risers_.climb[n], risers_.most[n], way);
+    const Attributes fresh = risers_.value[n] > 0 ? 0 : *colour++;
+    if (made == risers_.value[n]) continue;
     const auto corner = static_cast<std::size_t>(cornerOf(n));
     write(blockOf(n), corner, made);
-    if (!(value_[n] > 0)) open_->attributes[corner] = fresh;
+    if (!(risers_.value[n] > 0)) open_->attributes[corner] = fresh;
   }
   return mass - (way < kFarthestClimb ? raiseRest(way, rest) : rest);
 }
@@ -373,7 +388,9 @@ MassUnits ConservingStamp<Side>::raise(float way, MassUnits mass) {
 template <int Side>
 MassUnits ConservingStamp<Side>::raiseRest(float way, MassUnits rest) {
   constexpr std::size_t most = 256;
-  const auto raised = [&](std::size_t n) { return risen(value_[n], climb_[n], most_[n], way); };
+  const auto raised = [&](std::size_t n) {
+    return risen(risers_.value[n], risers_.climb[n], risers_.most[n], way);
+  };
   struct Next {
     Key at;
     std::size_t riser;
@@ -391,7 +408,7 @@ MassUnits ConservingStamp<Side>::raiseRest(float way, MassUnits rest) {
     const Key first = BlockGeometry<Side>::firstCornerOf(blockOf(n));
     if (last < first) continue;
     const Key key = first + cornerIn<Side>(cornerOf(n));
-    if (last < key || !(raised(n) > 0 && raised(n) < most_[n])) continue;
+    if (last < key || !(raised(n) > 0 && raised(n) < risers_.most[n])) continue;
     order.push_back({key, n});
     if (order.size() == 4 * most) shorten();
   }
@@ -400,7 +417,7 @@ MassUnits ConservingStamp<Side>::raiseRest(float way, MassUnits rest) {
   for (auto each = order.begin(); each != order.end() && rest > 0; ++each) {
     const float made = raised(each->riser);
     const auto more = static_cast<float>(static_cast<double>(rest) * kMassUnit);
-    const float filled = lesser(made + more, most_[each->riser]);
+    const float filled = lesser(made + more, risers_.most[each->riser]);
     const MassUnits taken = massUnits(filled) - massUnits(made);
     if (taken <= 0 || taken > rest) continue;
     rest -= taken;

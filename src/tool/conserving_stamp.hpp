@@ -1,10 +1,12 @@
 // The conserving stamp (algorithms.md §1): what the tool presses out of its way rises round it.
 #pragma once
 #include <deque>
+#include <mutex>
 
 #include "bozzetto/tool/dab.hpp"
 #include "tool/lowpass.hpp"
 #include "tool/mass_units.hpp"
+#include "tool/risers.hpp"
 #include "tool/stamp_depth.hpp"
 #include "tool/swept.hpp"
 
@@ -13,7 +15,7 @@ namespace bozzetto {
 /// One dab. The bulge's height is found so that what rises weighs what goes; where it would be
 /// higher than was asked for, the rim widens step by step to four reference radii. The clay climbs
 /// as under plain stamps (action_stamp), layer upon layer. What finds no clay to rise from is
-/// missing, and the ledger shows it. O(corners of the widest rim).
+/// missing, and the ledger shows it. O(corners of the widest rim); looks at blocks in parallel.
 template <int Side>
 class ConservingStamp {
  public:
@@ -46,8 +48,9 @@ class ConservingStamp {
   void pressBlock(Key block);
   void sweep();
   void look(double widening);
-  void lookAt(std::size_t listed);
-  void addRisers(std::size_t listed, const Place& place, const float* climb);
+  void lookAt(std::size_t listed, Risers& risers);
+  void addRisers(std::size_t listed, const Place& place, const float* climb, Risers& risers) const;
+  Place& newPlace();
   const Place& placeOf(Key block);
   const SweptBlock<Side>& sweptOf(Key block) const;
   void bend(Key block, const float* depth, const float* body, Place& place) const;
@@ -55,8 +58,8 @@ class ConservingStamp {
   Neighbourhood<Side> around(Key block) const;
   Faces<Side> facesOf(Key block) const;
   bool reaches(Key block) const;
-  Key blockOf(std::size_t riser) const { return listed_[risers_[riser] / Block::kCount]; }
-  int cornerOf(std::size_t riser) const { return int(risers_[riser] % Block::kCount); }
+  Key blockOf(std::size_t riser) const { return listed_[risers_.place[riser] / Block::kCount]; }
+  int cornerOf(std::size_t riser) const { return int(risers_.place[riser] % Block::kCount); }
   std::size_t indexOf(Key block) const;
   std::size_t tableSize() const { return indexOf(blocks_.high + Key{1, 1, 1}) + 1; }
   void colour();
@@ -82,14 +85,14 @@ class ConservingStamp {
   std::vector<const Place*> places_;
   std::deque<Place> made_;  // the first so many of these
   std::size_t madeCount_ = 0;
+  std::mutex making_;
   std::vector<const Block*> table_;
   std::vector<Key> listed_;  // with clay in them or across a face, and room
   std::vector<std::uint8_t> isListed_;
 
-  std::vector<std::size_t> risers_;          // place in listed_ · corners of a block + corner
-  std::vector<Attributes> colours_;          // of those of them that had no clay, in turn
-  std::vector<float> value_, climb_, most_;  // of the risers; climb: density per cell of way
-  MassUnits held_ = 0, layer_ = 0;           // by the risers; what a whole layer gains
+  Risers risers_;                    // of the blocks in listed_
+  std::vector<Attributes> colours_;  // of those of them that had no clay, in turn
+  MassUnits held_ = 0, layer_ = 0;   // by the risers; what a whole layer gains
   std::vector<Key> touched_;
   Block* open_ = nullptr;  // the last of them
   MassUnits pressed_ = 0;

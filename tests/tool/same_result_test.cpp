@@ -1,6 +1,7 @@
 // The same clay to the bit: block sides, instruction sets, thread counts, places.
 #include "bozzetto/base/parallel.hpp"
 #include "bozzetto/base/simd.hpp"
+#include "bozzetto/tool/sculpture.hpp"
 #include "tool/tool_fixture.hpp"
 
 namespace bozzetto {
@@ -68,6 +69,26 @@ TEST(SameResult, anyThreadCount) {
   };
   const auto one = run(1);
   for (int threads = 2; threads <= 4; ++threads) EXPECT_EQ(run(threads), one) << threads;
+}
+
+// Threads look for the corners that rise; wide rims keep several busy.
+TEST(SameResult, conservingStampsOnAnyThreadCount) {
+  ToolShape sculpted;
+  sculpted.shape = Shape::freeform;
+  sculpted.sculpture = std::make_shared<Sculpture>(clayBall<8>(11));
+  ActionOptions stamp{ActionKind::stamp, 0.8, kToolColour};
+  stamp.stamp.conserving = true;
+  const auto run = [&](int threads, const ToolShape& tool) {
+    setThreadCount(threads);
+    Clay clay = clayBall<8>(48);
+    stroke(clay, tool, stamp, lineOf({44.0, 0, 3.5}, {40, 20, 3}));
+    setThreadCount(0);
+    return fieldHash(clay);
+  };
+  for (const ToolShape& tool : {ball(15), sculpted}) {
+    const auto one = run(1, tool);
+    for (int threads = 2; threads <= 4; ++threads) EXPECT_EQ(run(threads, tool), one) << threads;
+  }
 }
 
 TEST(SameResult, farAway) {
