@@ -1,4 +1,6 @@
 // Sections of the properties panel: what a stamp leaves, how dabs stand.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,11 +54,12 @@ void dragHandles(StampOptions& stamp, const StampOptions& fits, const Plot& plot
   };
   int* dragged = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("curve"));
   if (ImGui::IsItemActivated()) *dragged = farness(handles[1]) < farness(handles[0]) ? 1 : 0;
-  if (ImGui::IsItemActive() && *dragged == 0) {
-    stamp.rise = std::clamp(stamp.rise + by.x / plot.perUnit(), 0.01, 1.0);
-    stamp.height = std::clamp(stamp.height - by.y / (plot.size.y * .42), 0.0, 1.0);
-  } else if (ImGui::IsItemActive()) {
-    stamp.fall = std::clamp(stamp.fall + by.x / plot.perUnit(), 0.01, 2.0);
+  const bool moves = ImGui::IsItemActive() && (by.x != 0 || by.y != 0);
+  if (moves && *dragged == 0) {  // from where they are drawn
+    stamp.rise = std::clamp(fits.rise + by.x / plot.perUnit(), 0.01, 1.0);
+    stamp.height = std::clamp(fits.height - by.y / (plot.size.y * .42), 0.0, 1.0);
+  } else if (moves) {
+    stamp.fall = std::clamp(fits.fall + by.x / plot.perUnit(), 0.01, 2.0);
   }
   for (const ImVec2& handle : handles) {
     ImGui::GetWindowDrawList()->AddCircleFilled(handle, px(5), ink(tint::panel), 24);
@@ -110,9 +113,14 @@ void stampSection(Atelier& atelier) {
     stamp.profile = StampProfile(profile);
   }
   toggle("Keeps the mass", stamp.conserving, "What rises weighs what the print takes.");
-  // Sliders may ask for more than there is a curve for.
+  // What was asked for stays, for the other profile, or a higher crest, may have a curve for it.
   const StampOptions fits = clamped(stamp, atelier.status().scale.iso);
-  if (!ImGui::IsAnyItemActive()) stamp = fits;
+  if (fits != stamp)
+    factLine(
+        "Fits",
+        fmt::format("{:.0f} % · {:.0f} % · {:.2f}", 100 * fits.rise, 100 * fits.fall, fits.slope),
+        "There is no curve for the rise, fall and slope that are asked for: these act, and "
+        "are drawn.");
 }
 
 void placementSection(Atelier& atelier) {

@@ -1,6 +1,7 @@
 #include "bozzetto/sculptor/replay.hpp"
 
 #include "bozzetto/field/resample.hpp"
+#include "sculptor/nested_tools.hpp"
 
 namespace bozzetto {
 namespace {
@@ -56,6 +57,8 @@ std::vector<OperationReport> replay(const Recording& recording, Sculptor& sculpt
     try {
       reports.push_back(sculptor.apply(recording.operations[n], part));
     } catch (const Cancelled&) {
+      throw;
+    } catch (const NestedTools&) {
       throw;
     } catch (const Error& error) {
       throw Error(recording.placeOf(n) + "operation " + std::to_string(n + 1) + ": " +

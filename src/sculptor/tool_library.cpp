@@ -12,6 +12,7 @@
 #include "bozzetto/io/voxelise.hpp"
 #include "bozzetto/sculptor/replay.hpp"
 #include "bozzetto/tool/relative.hpp"
+#include "sculptor/nested_tools.hpp"
 #include "sculptor/operation_format.hpp"
 
 namespace bozzetto {
@@ -115,10 +116,16 @@ ShelfTool letters(const fs::path& folder, const ToolSource& source, Progress& pr
 }
 
 Clay clayOfRecording(const fs::path& path, int depth, Progress& progress) {
-  if (depth >= kDeepest) throw Error(path.string() + ": recordings of tools nested too deeply");
+  if (depth >= kDeepest) throw NestedTools();
   ReplayOptions options;
   options.depth = depth + 1;
-  return replay(readRecording(path), {}, options, progress).field;
+  try {
+    return replay(readRecording(path), {}, options, progress).field;
+  } catch (NestedTools& nested) {
+    nested.add(path.string());
+    if (depth > 0) throw;
+    throw Error(nested.sentence());
+  }
 }
 
 fs::path fileIn(const fs::path& folder, const std::string& name) {
