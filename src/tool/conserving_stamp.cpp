@@ -9,6 +9,7 @@
 #include "bozzetto/base/parallel.hpp"
 #include "bozzetto/grid/key_box.hpp"
 #include "tool/block_work.hpp"
+#include "tool/handled_body.hpp"
 #include "tool/local_count.hpp"
 #include "tool/lowpass.hpp"
 #include "tool/mass_units.hpp"
@@ -60,7 +61,9 @@ void ConservingStamp<Side>::reachOut(double widening) {
   widening_ = widening;
   const StampOptions& o = dab_->options;
   const double rim = std::min(kWidest, widening * (o.rise + o.fall));
-  depth_ = makeStampDepth(dab_->tool, {o.profile, dab_->iso, rim, o.rise + o.fall});
+  // What is wider than asked for has no potential to lie in.
+  const StampProfile profile = widening > 1 ? StampProfile::radius : o.profile;
+  depth_ = makeStampDepth(dab_->tool, {profile, dab_->iso, rim, o.rise + o.fall, dab_->facing});
   frame_ = depth_->frame(dab_->pose);
   const KeyBox box = dabBox(influenceOf(*depth_, dab_->pose));
   using Geometry = BlockGeometry<Side>;
@@ -141,6 +144,7 @@ auto ConservingStamp<Side>::placeOf(Key block) -> const Place& {
     alignas(64) float depth[Block::kCount], body[Block::kCount];
     if (hasWall()) {
       depth_->evaluateWithBody(frame_, firstOf(block), Side, depth, body);
+      withHandle(block, body);
     } else {
       depth_->evaluate(frame_, firstOf(block), Side, depth);
     }
@@ -154,6 +158,13 @@ auto ConservingStamp<Side>::sweptOf(Key block) const -> const SweptBlock<Side>& 
   if (dab_->swept == nullptr) return unswept<Side>();
   const auto found = dab_->swept->find(block);
   return found == dab_->swept->end() ? unswept<Side>() : found->second;
+}
+
+template <int Side>
+void ConservingStamp<Side>::withHandle(Key block, float* body) const {
+  if (!hasHandle()) return;
+  const Block* const before = sweptOf(block).before(table_[indexOf(block)]);
+  addHandle<Side>(*depth_, frame_, firstOf(block), before, body);
 }
 
 // How fast corners rise, and how far: not into the tool, nor where it has been.
@@ -176,8 +187,8 @@ template <int Side>
 template <class Visit>
 void ConservingStamp<Side>::forBody(Visit&& visit) {
   forKeys(bodyBlocks_, [&](Key block) {
-    const Key first = firstOf(block);
-    if (!depth_->bodyMisses(frame_, first, first + Key{Side - 1, Side - 1, Side - 1})) visit(block);
+    const Key first = firstOf(block), last = first + Key{Side - 1, Side - 1, Side - 1};
+    if (hasHandle() || !depth_->bodyMisses(frame_, first, last)) visit(block);
   });
 }
 
@@ -208,6 +219,7 @@ void ConservingStamp<Side>::pressBlock(Key block) {
   alignas(64) float place[Block::kCount];  // body or depth
   if (wall) {
     depth_->evaluateBody(frame_, firstOf(block), Side, place);
+    withHandle(block, place);
   } else {
     depth_->evaluate(frame_, firstOf(block), Side, place);
   }
@@ -235,6 +247,7 @@ void ConservingStamp<Side>::sweep() {
   forBody([&](Key block) {
     alignas(64) float body[Block::kCount];
     depth_->evaluateBody(frame_, firstOf(block), Side, body);
+    withHandle(block, body);
     (*dab_->swept)[block].add(body);
   });
 }
@@ -438,6 +451,7 @@ void ConservingStamp<Side>::write(Key block, std::size_t corner, float value) {
 // What was empty lets clay climb into its neighbours.
 template <int Side>
 void ConservingStamp<Side>::open(Key block) {
+  if (hasHandle()) (*dab_->swept)[block].note(table_[indexOf(block)]);
   open_ = &edit_->write(block);
   touched_.push_back(block);
   const bool had = std::exchange(table_[indexOf(block)], open_) != nullptr;

@@ -25,7 +25,8 @@ class ConservingStamp {
     StampOptions options;
     double iso;
     double strength;
-    Swept<Side>* swept;  ///< by dabs before; this one adds itself; null: rises there too
+    Swept<Side>* swept;   ///< by dabs before; this one adds itself; null: rises there too
+    bool facing = false;  ///< the tool's contact side faces the clay: sculptures have a handle
   };
   ConservingStamp(Edit<CornerBlock<Side>>& edit, const Dab& dab);
   void apply(DabReport& report);
@@ -54,6 +55,8 @@ class ConservingStamp {
   const Place& placeOf(Key block);
   const SweptBlock<Side>& sweptOf(Key block) const;
   void bend(Key block, const float* depth, const float* body, Place& place) const;
+  bool hasHandle() const { return dab_->swept != nullptr && depth_->hasHandle(); }
+  void withHandle(Key block, float* body) const;
   Key firstOf(Key block) const;
   Neighbourhood<Side> around(Key block) const;
   Faces<Side> facesOf(Key block) const;
@@ -79,7 +82,7 @@ class ConservingStamp {
   // how the rim lies in them. The tables have a rim of one.
   double widening_ = 0;
   StampCurve curve_;
-  std::unique_ptr<Potential> depth_;
+  std::unique_ptr<StampTool> depth_;
   LocalFrame frame_;
   KeyBox blocks_, bodyBlocks_;
   std::vector<const Place*> places_;

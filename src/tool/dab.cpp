@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tool/block_work.hpp"
+#include "tool/handled_body.hpp"
 #include "tool/local_count.hpp"
 #include "tool/lowpass.hpp"
 #include "tool/swept.hpp"
@@ -51,13 +52,18 @@ template <int Side>
 struct DabWalker<Side>::Walk {
   using Geometry = BlockGeometry<Side>;
   const Dab& dab;
+  const StampTool* handled = nullptr;  // the tool, where it has a handle
   LocalFrame frame;
   KeyBox blocks;
 
   Walk(const Dab& walked, const KeyBox& box)
       : dab(walked),
+        handled(walked.swept == nullptr ? nullptr
+                                        : dynamic_cast<const StampTool*>(walked.potential)),
         frame(walked.potential->frame(walked.pose)),
-        blocks{Geometry::blockOf(box.low), Geometry::blockOf(box.high)} {}
+        blocks{Geometry::blockOf(box.low), Geometry::blockOf(box.high)} {
+    if (handled != nullptr && !handled->hasHandle()) handled = nullptr;
+  }
 
   // The first corner of a block, counted from the dab's own cell.
   Key offsetOf(Key block) const { return Geometry::firstCornerOf(block) - frame.cell; }
@@ -70,6 +76,7 @@ struct DabWalker<Side>::Walk {
   }
 
   bool bodyMisses(Key block) const {
+    if (handled != nullptr) return false;
     const Key low = offsetOf(block);
     return dab.potential->bodyMisses(frame, low, low + Key{Side - 1, Side - 1, Side - 1});
   }
@@ -133,7 +140,9 @@ void DabWalker<Side>::listPiece(const Walk& walk, KeyRun piece, const Block* blo
   for (std::int32_t n = 0; n < piece.length; ++n) {
     const Key key = piece.key + Key{0, 0, n};
     if (piece.length > 1 && walk.misses({key, 1})) continue;
-    work_.push_back({key, block, nullptr, {}, false, sweptAt(walk, key)});
+    SweptBlock<Side>* const swept = sweptAt(walk, key);
+    if (walk.handled != nullptr) swept->note(block);
+    work_.push_back({key, block, nullptr, {}, false, swept});
   }
 }
 
@@ -210,6 +219,13 @@ void DabWalker<Side>::compute(const Walk& walk, BlockWork<Side>& work) const {
   }
   view.body = body;
   view.swept = (work.swept == nullptr ? unswept<Side>() : *work.swept).shares();
+  alignas(64) float most[Block::kCount];
+  if (walk.handled != nullptr) {
+    addHandle<Side>(*walk.handled, walk.frame, first, work.swept->before(work.old), body);
+    std::transform(body, body + Block::kCount, view.swept, most,
+                   [](float a, float b) { return std::max(a, b); });
+    view.swept = most;
+  }
   work.outcome = action.apply(view, walk.dab.strength);
   if (work.swept != nullptr) work.swept->add(body);
 }
@@ -219,7 +235,10 @@ template <int Side>
 void DabWalker<Side>::sweep(const Walk& walk, const BlockWork<Side>& work) const {
   if (work.swept == nullptr || walk.bodyMisses(work.key)) return;
   alignas(64) float body[Block::kCount];
-  walk.dab.potential->evaluateBody(walk.frame, walk.offsetOf(work.key), Side, body);
+  const Key first = walk.offsetOf(work.key);
+  walk.dab.potential->evaluateBody(walk.frame, first, Side, body);
+  if (walk.handled != nullptr)
+    addHandle<Side>(*walk.handled, walk.frame, first, work.swept->before(work.old), body);
   work.swept->add(body);
 }
 

@@ -4,16 +4,9 @@
 #include <vector>
 
 #include "bozzetto/field/field.hpp"
+#include "tool/grid_rows.hpp"
 
 namespace bozzetto {
-
-/// Places start + n·step in units of so many cells, from an offset in cells from low().
-struct DistanceRow {
-  std::array<std::int32_t, 3> start, step;
-  float perUnit;
-  std::array<float, 3> offset;
-  float scale;
-};
 
 /// Made once for a tool: O(cells of its box and `reach` cells round it).
 class DistanceField {
@@ -22,7 +15,7 @@ class DistanceField {
 
   /// Distances along a row of up to 8 places: in cells × scale, trilinear. Beyond the grid the
   /// nearest value.
-  void row(const DistanceRow& places, int count, float* distance) const;
+  void row(const GridRow& places, int count, float* distance) const;
   const Key& low() const { return low_; }
 
  private:

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <span>
 
 #include "tool/corner_loop.hpp"
@@ -225,6 +227,14 @@ std::shared_ptr<const DistanceField> SculptureLevel::outside(float iso, int reac
   return made;
 }
 
+std::shared_ptr<const HandleRoom> SculptureLevel::handle(const glm::dvec3& contact,
+                                                         int reach) const {
+  const std::lock_guard lock(making_);
+  auto& made = handles_[{contact.x, contact.y, contact.z, double(reach)}];
+  if (made == nullptr) made = std::make_shared<HandleRoom>(clay, bounds, contact, reach);
+  return made;
+}
+
 const ToolBox& SculptureLevel::box() const {
   std::call_once(boxed_, [this] { box_ = std::make_unique<const ToolBox>(clay, bounds); });
   return *box_;
@@ -232,6 +242,19 @@ const ToolBox& SculptureLevel::box() const {
 
 void putOnPivot(const Sculpture& sculpture, DabPose& pose) {
   pose.position -= pose.orientation * (sculpture.pivot() * pose.radii / sculpture.halfExtents());
+}
+
+double printDepth(const Sculpture& sculpture, const glm::dvec3& radii) {
+  constexpr double touches = 2;  // cells of the tool: reliefs fade so far beyond their root
+  const glm::dvec3 contact = sculpture.contact(), along = glm::abs(contact);
+  const glm::dvec3 own = sculpture.halfExtents() - 1.0;
+  if (glm::dot(along, own) - glm::dot(contact, sculpture.pivot()) > touches) return 0;
+  const glm::dvec3 half = own * radii / sculpture.halfExtents();
+  const double most = std::max({along.x, along.y, along.z}), height = 2 * glm::dot(along, half);
+  double width = height * 4;
+  for (int axis = 0; axis < 3; ++axis)
+    if (along[axis] < most) width = std::min(width, 2 * half[axis]);
+  return std::max(std::min(height / 2, width / 4), std::min(height, kSmallestToolCells));
 }
 
 std::unique_ptr<Potential> makeFreeform(std::shared_ptr<const Sculpture> sculpture,

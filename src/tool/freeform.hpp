@@ -5,6 +5,7 @@
 #include "bozzetto/tool/potential.hpp"
 #include "bozzetto/tool/sculpture.hpp"
 #include "tool/distance_field.hpp"
+#include "tool/handle_room.hpp"
 #include "tool/tool_box.hpp"
 #include "tool/tool_tile.hpp"
 
@@ -20,6 +21,9 @@ struct SculptureLevel {
   /// Distances to its surface outside, as far as `reach` cells; made when first asked for.
   std::shared_ptr<const DistanceField> outside(float iso, int reach) const;
 
+  /// Of it and a handle away from `contact`, in its cells; as far; made when first asked for.
+  std::shared_ptr<const HandleRoom> handle(const glm::dvec3& contact, int reach) const;
+
   /// All its corners; made when first asked for, empty where they are too many.
   const ToolBox& box() const;
 
@@ -32,6 +36,7 @@ struct SculptureLevel {
   mutable std::unique_ptr<const ToolBox> box_;
   mutable std::mutex making_;
   mutable std::map<std::pair<float, int>, std::shared_ptr<const DistanceField>> outside_;
+  mutable std::map<std::array<double, 4>, std::shared_ptr<const HandleRoom>> handles_;
 };
 
 /// The copy that a tool of these radii is read from: its cells are nearest to those of the clay,
@@ -46,6 +51,10 @@ inline constexpr double kMostMinified = 1 << Sculpture::kLevels;
 
 /// Moves a pose that stands on its pivot to the centre of the tool's box.
 void putOnPivot(const Sculpture& sculpture, DabPose& pose);
+
+/// How deep a tool that only touches the clay, its pivot on its contact side, sinks in to print, in
+/// cells of the clay: half its height, but no more than a quarter of its width. 0 for others.
+double printDepth(const Sculpture& sculpture, const glm::dvec3& radiiCells);
 
 std::unique_ptr<Potential> makeFreeform(std::shared_ptr<const Sculpture> sculpture,
                                         const glm::dvec3& radiiCells);

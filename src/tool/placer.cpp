@@ -108,12 +108,12 @@ void requireValid(const Placement& placement) {
 
 template <int Side>
 Placer<Side>::Placer(const Placement& placement, const ToolShape& tool, const Field<Side>& field,
-                     Key origin)
+                     const Repeats& repeats)
     : placement_(placement),
       base_(glm::mat3_cast(tool.rotation)),
       contact_(tool.sculpture ? tool.sculpture->contact() : glm::dvec3(0, 0, -1)),
       radii_(tool.radii),
-      origin_(origin),
+      repeats_(repeats),
       spacing_(field.scale.spacing) {
   if (placement.toNormal) before_ = field;
   for (int i = 0; i < placement.copies[0]; ++i)
@@ -146,21 +146,20 @@ std::optional<glm::dvec3> Placer<Side>::normalAt(const glm::dvec3& position) con
     for (int j = -2; j <= 2; ++j)
       for (int k = -2; k <= 2; ++k)
         sum += glm::dvec3(
-            sampler.gradient(cellPoint(origin_, position + apart * glm::dvec3(i, j, k))));
+            sampler.gradient(cellPoint(repeats_.origin, position + apart * glm::dvec3(i, j, k))));
   const double length = glm::length(sum);
   if (!(length > 1e-6)) return std::nullopt;
   return -sum / length;
 }
 
 template <int Side>
-glm::dmat3 Placer<Side>::turned(const glm::dvec3& position, const glm::dvec3& heading) const {
+glm::dmat3 Placer<Side>::turned(const std::optional<glm::dvec3>& normal,
+                                const glm::dvec3& heading) const {
   glm::dvec3 outward = -(base_ * contact_);
   glm::dmat3 orientation = base_;
-  if (placement_.toNormal) {
-    if (const auto normal = normalAt(position)) {
-      orientation = rotationBetween(outward, *normal) * base_;
-      outward = *normal;
-    }
+  if (normal) {
+    orientation = rotationBetween(outward, *normal) * base_;
+    outward = *normal;
   }
   if (!placement_.alongStroke) return orientation;
   return orientationAlong(contact_, outward, heading).value_or(orientation);
@@ -181,40 +180,65 @@ std::string Placer<Side>::notice(const StrokePath& path) const {
 }
 
 template <int Side>
-void Placer<Side>::roll(double along, const glm::dvec3& heading, Standing& standing) const {
-  const glm::dvec3 outward = -(standing.orientation * contact_);
-  const glm::dvec3 axis = glm::cross(outward, heading);
+void Placer<Side>::roll(const Dab& dab, Stance& stance) const {
+  const glm::dvec3 outward = -(stance.orientation * contact_);
+  const glm::dvec3 axis = glm::cross(outward, dab.heading);
   const double length = glm::length(axis);
   if (!(length > 1e-9)) return;
   const double radius = glm::dot(radii_, glm::abs(contact_));
-  standing.orientation =
-      turnAbout(axis / length, placement_.roll * along / radius) * standing.orientation;
+  stance.orientation =
+      turnAbout(axis / length, placement_.roll * dab.along / radius) * stance.orientation;
 }
 
 template <int Side>
-void Placer<Side>::scatter(std::int64_t n, Standing& standing) const {
+void Placer<Side>::scatter(std::int64_t n, Stance& stance) const {
   const Jitter& jitter = placement_.jitter;
-  const glm::dvec3 outward = -(standing.orientation * contact_);
+  const glm::dvec3 outward = -(stance.orientation * contact_);
   const auto number = [&](std::uint64_t purpose) { return chance(jitter.seed, n, purpose); };
   if (jitter.position > 0) {
     auto axes = axesFrom(outward, {0, 1, 0});
     if (!axes) axes = axesFrom(outward, {0, 0, 1});
     const double far = jitter.position * smallest(radii_) * std::sqrt(number(0));
     const double angle = 2 * kPi * number(1);
-    standing.position += far * (std::cos(angle) * (*axes)[0] + std::sin(angle) * (*axes)[1]);
+    stance.position += far * (std::cos(angle) * (*axes)[0] + std::sin(angle) * (*axes)[1]);
   }
-  if (jitter.size > 0) standing.factor *= 1 - jitter.size * number(2);
   if (jitter.rotation > 0) {
     const double angle = (2 * number(3) - 1) * jitter.rotation * kPi / 180;
-    standing.orientation = turnAbout(outward, angle) * standing.orientation;
+    stance.orientation = turnAbout(outward, angle) * stance.orientation;
   }
 }
 
 template <int Side>
 glm::dvec3 Placer<Side>::snapped(const glm::dvec3& position) const {
-  const glm::dvec3 corner(origin_.i, origin_.j, origin_.k);
+  const glm::dvec3 corner(repeats_.origin.i, repeats_.origin.j, repeats_.origin.k);
   const double cells = placement_.grid / spacing_;
   return glm::round((position + corner) / cells) * cells - corner;
+}
+
+template <int Side>
+Stance Placer<Side>::stance(const Dab& dab, const std::optional<glm::dvec3>& normal) const {
+  Stance stance{dab.position, turned(normal, dab.heading)};
+  if (placement_.roll != 0) roll(dab, stance);
+  scatter(dab.n, stance);
+  return stance;
+}
+
+// Each faces the clay where it stands. What differs by rounding only is as the first, so symmetric
+// clay stays so to the bit; so is what stands in the air.
+template <int Side>
+std::vector<Stance> Placer<Side>::stances(const Dab& dab, const Stance& first) const {
+  std::vector<Stance> each;
+  for (const glm::dvec3& copy : copies_) {
+    for (const glm::dmat3& turn : repeats_.turns) {
+      const glm::dvec3& centre = repeats_.centre;
+      auto normal = normalAt(centre + turn * (dab.position + copy - centre));
+      if (normal) normal = glm::transpose(turn) * *normal;
+      const bool alike = !normal || (dab.normal && glm::length(*normal - *dab.normal) < 1e-5);
+      each.push_back(alike ? first : stance(dab, normal));
+      each.back().position += copy;
+    }
+  }
+  return each;
 }
 
 template <int Side>
@@ -226,10 +250,16 @@ Standing Placer<Side>::at(const StrokePath& path, std::int64_t n) const {
     standing.skipped = n > 0 && snapped(path.at(n - 1).position) == standing.position;
   }
   const glm::dvec3 way = heading(path, n);
-  standing.orientation = turned(standing.position, way);
-  if (placement_.roll != 0) roll(static_cast<double>(n) * path.step(), way, standing);
+  Dab dab{n, standing.position, way, static_cast<double>(n) * path.step(), {}};
+  if (placement_.toNormal) dab.normal = normalAt(dab.position);
+  const Stance first = stance(dab, dab.normal);
+  if (placement_.toNormal && copies_.size() * repeats_.turns.size() > 1)
+    standing.each = stances(dab, first);
+  standing.position = first.position;
+  standing.orientation = first.orientation;
   if (placement_.anchored) standing.factor = std::min(grown(way), mostGrown(radii_));
-  scatter(n, standing);
+  if (placement_.jitter.size > 0)
+    standing.factor *= 1 - placement_.jitter.size * chance(placement_.jitter.seed, n, 2);
   return standing;
 }
 

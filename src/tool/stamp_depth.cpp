@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "tool/block_rows.hpp"
 #include "tool/distance.hpp"
-#include "tool/freeform.hpp"
 #include "tool/gauge.hpp"
-#include "tool/trilinear.hpp"
+#include "tool/sculpted_grids.hpp"
 
 namespace bozzetto {
 namespace {
@@ -71,46 +71,36 @@ std::unique_ptr<Outside> primitiveOutside(const ToolShape& tool, double iso) {
   return make(EllipsoidDistance(surface), 0);
 }
 
-// The distance grid of a sculpture, fine enough and yet of at most some 128 cells a side.
 class FreeformOutside final : public Outside {
  public:
   FreeformOutside(const ToolShape& tool, const StampReach& reach)
-      : sculpture_(tool.sculpture), toolLevel_(levelFor(*sculpture_, tool.radii)) {
-    constexpr double widest = 128;
-    const glm::dvec3 half = sculpture_->halfExtents();
-    const double R = sculpture_->referenceRadius();
-    const double cells = 2 * (std::max({half.x, half.y, half.z}) + reach.rim * R + 2);
-    level_ = std::max(toolLevel_, static_cast<int>(std::ceil(std::log2(cells / widest))));
-    level_ = std::clamp(level_, 0, Sculpture::kLevels);
-    const double scale = std::ldexp(1.0, -level_);
-    const int rim = static_cast<int>(std::ceil(reach.rim * R * scale)) + 2;
-    distances_ = sculpture_->level(level_).outside(static_cast<float>(reach.iso), rim);
-    const Key base = baseOf(*sculpture_, toolLevel_);
-    const double shrink = std::ldexp(1.0, toolLevel_ - level_);
-    const Key low = distances_->low();
-    offset_ = shrink * glm::dvec3(base.i, base.j, base.k) - glm::dvec3(low.i, low.j, low.k);
-    perUnit_ = static_cast<float>(std::ldexp(shrink, -kFractionBits));
-    scale_ = static_cast<float>(1 / (R * scale));
-  }
+      : grids_(tool, reach.rim),
+        distances_(grids_.level().outside(static_cast<float>(reach.iso), grids_.reach())),
+        scale_(static_cast<float>(1 / grids_.radius())) {}
 
   void evaluate(const LocalFrame& frame, Key first, int side, float* distance) const override {
-    DistanceRow row{{}, frame.fixed.step[2], perUnit_, {offset_.x, offset_.y, offset_.z}, scale_};
-    for (int i = 0; i < side; ++i)
-      for (int j = 0; j < side; ++j, distance += side) {
-        for (const Axis axis : kAxes) {
-          const int a = bozzetto::index(axis);
-          row.start[std::size_t(a)] = positionOn(frame.fixed, a, first + Key{i, j, 0});
-        }
-        distances_->row(row, side, distance);
-      }
+    grids_.read(*distances_, frame, first, side, scale_, distance);
   }
 
  private:
-  std::shared_ptr<const Sculpture> sculpture_;
+  SculptedGrids grids_;
   std::shared_ptr<const DistanceField> distances_;
-  int toolLevel_, level_ = 0;
-  glm::vec3 offset_{0};
-  float perUnit_ = 0, scale_ = 0;
+  float scale_;
+};
+
+// The room of a sculpture and its handle.
+class Handle {
+ public:
+  Handle(const ToolShape& tool, const StampReach& reach)
+      : grids_(tool, reach.rim), room_(grids_.level().handle(grids_.contact(), grids_.reach())) {}
+
+  void evaluate(const LocalFrame& frame, Key first, int side, float* room) const {
+    grids_.read(*room_, frame, first, side, 1, room);
+  }
+
+ private:
+  SculptedGrids grids_;
+  std::shared_ptr<const HandleRoom> room_;
 };
 
 std::unique_ptr<Outside> makeOutside(const ToolShape& tool, const StampReach& reach) {
@@ -119,7 +109,7 @@ std::unique_ptr<Outside> makeOutside(const ToolShape& tool, const StampReach& re
   return primitiveOutside(tool, reach.iso);
 }
 
-class StampDepth final : public Potential {
+class StampDepth final : public StampTool {
  public:
   StampDepth(const ToolShape& tool, const StampReach& reach)
       : tool_(makePotential(tool)),
@@ -127,6 +117,7 @@ class StampDepth final : public Potential {
         radii_(tool.radii),
         sculpted_(tool.sculpture != nullptr),
         iso_(static_cast<float>(reach.iso)) {
+    if (reach.facing && sculpted_ && outside_ != nullptr) handle_.emplace(tool, reach);
     reach_ = tool_->reach();
     if (outside_ == nullptr) return;
     double across = 1;  // cells of the clay to one of the tool's
@@ -151,6 +142,11 @@ class StampDepth final : public Potential {
   bool bodyMisses(const LocalFrame& frame, Key low, Key high) const override {
     if (sculpted_) return tool_->misses(frame, low, high);
     return beyond(wall_, frame, low, high);
+  }
+
+  bool hasHandle() const override { return handle_.has_value(); }
+  void evaluateHandle(const LocalFrame& frame, Key first, int side, float* room) const override {
+    handle_->evaluate(frame, first, side, room);
   }
 
   void evaluateBody(const LocalFrame& frame, Key first, int side, float* body) const override {
@@ -209,6 +205,7 @@ class StampDepth final : public Potential {
 
   std::unique_ptr<Potential> tool_;
   std::unique_ptr<Outside> outside_;
+  std::optional<Handle> handle_;
   glm::dvec3 radii_, reach_;
   bool sculpted_;
   glm::dvec3 wall_{1};  // of primitives: where it ends, ÷ radii
@@ -217,12 +214,16 @@ class StampDepth final : public Potential {
 };
 
 // def(d), in float.
-class StampPotential final : public Potential {
+class StampPotential final : public StampTool {
  public:
-  StampPotential(const ToolShape& tool, const StampOptions& options, double iso)
-      : depth_(tool,
-               {options.profile, iso, options.rise + options.fall, options.rise + options.fall}),
+  StampPotential(const ToolShape& tool, const StampOptions& options, double iso, bool facing)
+      : depth_(tool, {options.profile, iso, options.rise + options.fall,
+                      options.rise + options.fall, facing}),
         curve_(options, iso) {}
+  bool hasHandle() const override { return depth_.hasHandle(); }
+  void evaluateHandle(const LocalFrame& frame, Key first, int side, float* room) const override {
+    depth_.evaluateHandle(frame, first, side, room);
+  }
   LocalFrame frame(const DabPose& pose) const override { return depth_.frame(pose); }
   glm::dvec3 reach() const override { return depth_.reach(); }
   bool misses(const LocalFrame& frame, Key low, Key high) const override {
@@ -279,13 +280,13 @@ double referenceRadius(const ToolShape& tool) {
   return 0;
 }
 
-std::unique_ptr<Potential> makeStampDepth(const ToolShape& tool, const StampReach& reach) {
+std::unique_ptr<StampTool> makeStampDepth(const ToolShape& tool, const StampReach& reach) {
   return std::make_unique<StampDepth>(tool, reach);
 }
 
-std::unique_ptr<Potential> makeStampPotential(const ToolShape& tool, const StampOptions& options,
-                                              double iso) {
-  return std::make_unique<StampPotential>(tool, clamped(options, iso), iso);
+std::unique_ptr<StampTool> makeStampPotential(const ToolShape& tool, const StampOptions& options,
+                                              double iso, bool facing) {
+  return std::make_unique<StampPotential>(tool, clamped(options, iso), iso, facing);
 }
 
 }  // namespace bozzetto

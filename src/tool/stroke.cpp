@@ -71,15 +71,16 @@ StrokeRunner<Side>::StrokeRunner(Edit<CornerBlock<Side>>& edit, const Field<Side
   tool_ = fitted.shape;
   tool_.radii /= scale.spacing;
   notice_ = fitted.notice;
+  origin_ = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
+  images_ = imagesOf(stroke.symmetry);
+  centre_ = relativeTo(origin_, stroke.symmetry.centre, scale.spacing);
+  const Repeats repeats{origin_, centre_, turnsOf(stroke.symmetry, images_)};
+  placer_ = std::make_unique<Placer<Side>>(stroke.placement, tool_, faced, repeats);
+
   potential_ = potentialOf(tool_);
   options_.ownColours = options_.ownColours && potential_->coloured();
   const bool sculpted = tool.shape == Shape::freeform;
   action_ = makeAction(options_, scale.iso, sculpted ? ToolBody::sculpture : ToolBody::potential);
-
-  origin_ = cellOf(stroke.points.front().position, scale.spacing, "stroke point");
-  images_ = imagesOf(stroke.symmetry);
-  centre_ = relativeTo(origin_, stroke.symmetry.centre, scale.spacing);
-  placer_ = std::make_unique<Placer<Side>>(stroke.placement, tool_, faced, origin_);
   path_.emplace(relative(stroke.points), stroke.spacing * smallest(tool_.radii));
   count_ = countOf(*path_);
 }
@@ -90,7 +91,7 @@ StrokeRunner<Side>::~StrokeRunner() = default;
 template <int Side>
 std::unique_ptr<Potential> StrokeRunner<Side>::potentialOf(const ToolShape& tool) const {
   if (options_.kind != ActionKind::stamp) return makePotential(tool);
-  return makeStampPotential(tool, options_.stamp, scale_.iso);
+  return makeStampPotential(tool, options_.stamp, scale_.iso, placer_->facing());
 }
 
 template <int Side>
@@ -166,14 +167,27 @@ ToolShape StrokeRunner<Side>::sized(double factor) const {
 // The dab, its copies and their images.
 template <int Side>
 std::vector<DabPose> StrokeRunner<Side>::posesOf(const Standing& standing) const {
-  std::vector<DabPose> poses;
-  for (const glm::dvec3& copy : placer_->copies()) {
-    DabPose pose{origin_, standing.position + copy, standing.orientation,
-                 sized(standing.factor).radii};
+  const glm::dvec3 radii = sized(standing.factor).radii;
+  const bool prints = options_.kind == ActionKind::stamp && placer_->facing() && tool_.sculpture;
+  const double deep = prints ? printDepth(*tool_.sculpture, radii) : 0;
+  const auto poseAt = [&](const glm::dvec3& position, const glm::dmat3& orientation) {
+    DabPose pose{origin_, position, orientation, radii};
     if (tool_.shape == Shape::freeform) putOnPivot(*tool_.sculpture, pose);
-    const auto images = imagesOf(pose, tool_.shape, images_, centre_);
-    poses.insert(poses.end(), images.begin(), images.end());
+    if (deep > 0) pose.position += deep * (orientation * tool_.sculpture->contact());
+    return pose;
+  };
+  std::vector<DabPose> poses;
+  const auto addImages = [&](const DabPose& pose, const std::vector<glm::dmat3>& images) {
+    const auto made = imagesOf(pose, tool_.shape, images, centre_);
+    poses.insert(poses.end(), made.begin(), made.end());
+  };
+  for (std::size_t n = 0; n < standing.each.size(); ++n) {
+    const Stance& stance = standing.each[n];
+    addImages(poseAt(stance.position, stance.orientation), {images_[n % images_.size()]});
   }
+  if (!poses.empty()) return withoutTwins(poses, tool_.shape);
+  for (const glm::dvec3& copy : placer_->copies())
+    addImages(poseAt(standing.position + copy, standing.orientation), images_);
   return poses;
 }
 
@@ -189,7 +203,9 @@ void StrokeRunner<Side>::makeDab(const Standing& standing, double strength, DabR
   for (const DabPose& pose : posesOf(standing)) {
     if (conserving) {
       const StampOptions bulge = clamped(options_.stamp, scale_.iso);
-      ConservingStamp<Side>(*edit_, {pose, tool, bulge, scale_.iso, strength, swept}).apply(report);
+      const bool facing = placer_->facing();
+      ConservingStamp<Side>(*edit_, {pose, tool, bulge, scale_.iso, strength, swept, facing})
+          .apply(report);
     } else {
       walker_.apply({pose, potential_.get(), action_.get(), static_cast<float>(strength), swept},
                     report);

@@ -4,8 +4,10 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "bozzetto/field/corner_block.hpp"
+#include "bozzetto/grid/ref.hpp"
 
 namespace bozzetto {
 
@@ -15,6 +17,16 @@ class SweptBlock {
  public:
   static constexpr int kCount = CornerBlock<Side>::kCount;
   using Shares = std::array<float, kCount>;
+
+  /// The block as it was before the stroke, null where there was none; told before it is written.
+  void note(const CornerBlock<Side>* block) {
+    if (std::exchange(noted_, true) || block == nullptr) return;
+    before_ = Ref<CornerBlock<Side>>(const_cast<CornerBlock<Side>*>(block));  // held, not written
+  }
+  /// That, or what is there now.
+  const CornerBlock<Side>* before(const CornerBlock<Side>* now) const {
+    return noted_ ? before_.get() : now;
+  }
 
   /// Of its corners, 64-byte aligned or not; valid until the next add.
   const float* shares() const { return shares_ ? shares_->data() : all_ ? alike<1>() : alike<0>(); }
@@ -47,6 +59,8 @@ class SweptBlock {
   }
 
   std::unique_ptr<Shares> shares_;
+  Ref<CornerBlock<Side>> before_;
+  bool noted_ = false;
   bool all_ = false;  // all corners are 1
 };
 

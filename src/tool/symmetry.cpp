@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "bozzetto/base/error.hpp"
+#include "tool/repeats.hpp"
 
 namespace bozzetto {
 namespace {
@@ -102,13 +103,35 @@ std::vector<DabPose> imagesOf(const DabPose& pose, Shape shape,
     fixed += sameDab(made, pose, shape);
     poses.push_back(made);
   }
-  if (fixed <= 1) return poses;
+  return fixed <= 1 ? poses : withoutTwins(poses, shape);
+}
+
+std::vector<DabPose> withoutTwins(const std::vector<DabPose>& poses, Shape shape) {
   std::vector<DabPose> once;
   for (const DabPose& made : poses) {
     const auto twin = [&](const DabPose& other) { return sameDab(other, made, shape); };
     if (std::none_of(once.begin(), once.end(), twin)) once.push_back(made);
   }
   return once;
+}
+
+// Mirrors are their own inverses.
+std::vector<glm::dmat3> turnsOf(const Symmetry& symmetry, const std::vector<glm::dmat3>& images) {
+  Symmetry mirrors = symmetry;
+  mirrors.radialCount = 1;
+  glm::dvec3 axis(0);
+  axis[index(symmetry.radialAxis)] = 1;
+  std::vector<glm::dmat3> turns;
+  for (const glm::dmat3& image : images) {
+    std::optional<glm::dmat3> turn;
+    for (const glm::dmat3& mirror : imagesOf(mirrors)) {
+      const glm::dmat3 rest = mirror * image;
+      if (!same(rest * axis, axis) || glm::determinant(rest) < 0) continue;
+      if (!turn || same(rest, glm::dmat3(1))) turn = rest;
+    }
+    turns.push_back(turn.value_or(image));
+  }
+  return turns;
 }
 
 }  // namespace bozzetto

@@ -100,6 +100,59 @@ TEST(Placement, copiesAndGrid) {
   EXPECT_THROW(stroke(clay, ball(4), addAll(), far), Error);
 }
 
+// The first needle stands on a ball of radius 20 at (12, 16, 0), another at (12, −16, 0).
+Stroke twoNeedles() {
+  Stroke path = dabAt({12, 16, 0});
+  path.placement.toNormal = true;
+  return path;
+}
+
+void expectBothStandUp(const Clay& clay) {
+  EXPECT_GT(clay.value({21, 28, 0}), 0.9f);
+  EXPECT_GT(clay.value({21, -28, 0}), 0.9f);
+  EXPECT_EQ(clay.value({3, -28, 0}), 0);  // as the first, turned
+  EXPECT_EQ(clay.value({21, -4, 0}), 0);  // as the first, moved
+}
+
+TEST(Placement, copiesFaceTheClayWhereTheyStand) {
+  Stroke path = twoNeedles();
+  path.placement.copies[1] = 2;
+  path.placement.copyStep = {0, -32, 0};
+  expectBothStandUp(drawn(needle(), path, clayBall<8>(20)));
+}
+
+TEST(Placement, radialCopiesFaceTheClayWhereTheyStand) {
+  Stroke path = twoNeedles();
+  path.symmetry.centre = {12, 0, 0};
+  path.symmetry.radialAxis = Axis::z;
+  path.symmetry.radialCount = 2;
+  expectBothStandUp(drawn(needle(), path, clayBall<8>(20)));
+}
+
+// What mirrors is the mirror of what it mirrors, in all four quarters.
+TEST(Placement, mirroredRadialCopiesAreMirrors) {
+  Stroke path = dabAt({8, 14, 5});
+  path.placement.toNormal = true;
+  path.symmetry.centre = {4, 0, 0};
+  path.symmetry.radialAxis = Axis::z;
+  path.symmetry.radialCount = 2;
+  path.symmetry.mirror[1] = true;
+  const Clay clay = drawn(needle(), path, clayBall<8>(20));
+  for (const auto& [at, sample] : samplesOf(clay))
+    ASSERT_EQ(sample.value, clay.value({at.i, -at.j, at.k}));
+}
+
+// On symmetric clay they are images of the first, to the bit.
+TEST(Placement, onSymmetricClayRadialCopiesAreAlike) {
+  Stroke path = dabAt({13, 16, 3});
+  path.placement.toNormal = true;
+  path.symmetry.radialAxis = Axis::z;
+  path.symmetry.radialCount = 4;
+  const Clay clay = drawn(needle(), path, clayBall<8>(20));
+  for (const auto& [at, sample] : samplesOf(clay))
+    ASSERT_EQ(sample.value, clay.value({-at.i, -at.j, at.k}));
+}
+
 TEST(Placement, anchoredDabsTakeTheirSizeFromTheDrag) {
   Stroke path = lineOf({0, 0, 0}, {20, 0, 0});
   path.placement.anchored = true;
