@@ -147,11 +147,28 @@ TEST_F(Tools, aRecordingAsATool) {
   EXPECT_EQ(fieldHash(made), fieldHash(replayed(kBody)));
 }
 
-TEST_F(Tools, aRecordingThatUsesItselfIsRefused) {
-  std::ofstream(folder_ / "self.jsonl")
-      << kHeader << "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"self.jsonl\"}\n";
-  EXPECT_THROW(replayHere("{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"self.jsonl\"}"),
-               Error);
+// Once, not at each of its turns.
+TEST_F(Tools, aRecordingThatUsesItselfIsRefusedInOneSentence) {
+  const std::string toolOf = "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":";
+  std::ofstream(folder_ / "self.jsonl") << kHeader << toolOf << "\"self.jsonl\"}\n";
+  std::ofstream(folder_ / "egg.jsonl") << kHeader << toolOf << "\"hen.jsonl\"}\n";
+  std::ofstream(folder_ / "hen.jsonl") << kHeader << toolOf << "\"egg.jsonl\"}\n";
+  const auto refusal = [&](const std::string& lines) -> std::string {
+    try {
+      replayHere(lines);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string in = folder_.path().string() + "/", first = "test:2: operation 1: ";
+  EXPECT_EQ(refusal(toolOf + "\"self.jsonl\"}"),
+            first + in + "self.jsonl is made with itself as a tool");
+  EXPECT_EQ(refusal(toolOf + "\"egg.jsonl\"}"),
+            first + in + "egg.jsonl is made with the tool " + in +
+                "hen.jsonl, which is made with the first as a tool");
+  EXPECT_EQ(refusal("{\"op\":\"combine\",\"with\":\"self.jsonl\"}"),
+            first + in + "self.jsonl is made with itself as a tool");
 }
 
 ShelfTool sample() {
@@ -271,6 +288,25 @@ TEST_F(Tools, atLeastTwelveStartersAreTools) {
     EXPECT_EQ(validate(tool.clay), std::nullopt) << entry.name;
     EXPECT_GT(statistics(tool.clay).corners, 1000) << entry.name;
     EXPECT_NO_THROW(sculptureOf(tool, {})) << entry.name;
+  }
+}
+
+// Led along a surface as they come: what presses, carves or cuts goes into it.
+TEST_F(Tools, startersThatPressOrCutGoIntoTheClay) {
+  for (const std::string name : {"finger", "thumb", "loop", "rake", "knife", "star tip", "screw"}) {
+    Recording recording = recordingOf(
+        "{\"op\":\"fill\",\"shape\":\"box\",\"center\":[0,-20,0],\"radii\":[30,20,20]}\n"
+        "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"shelf:" +
+        name + "\"}");
+    for (Operation operation : ToolLibrary().find(name).preset) {
+      if (auto* drawn = std::get_if<StrokeOperation>(&operation))
+        drawn->stroke.points = {{{-8, 0, 0}, 1}, {{8, 0, 0}, 1}};
+      recording.operations.push_back(operation);
+      recording.places.emplace_back();
+    }
+    const Clay made = replay(recording, {}).field;
+    EXPECT_LT(made.value({-8, -1, 0}), 0.5) << name;
+    EXPECT_GT(made.value({-8, -10, 0}), 0.5) << name;
   }
 }
 

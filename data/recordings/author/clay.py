@@ -177,7 +177,8 @@ def raffin_star(viscosity=0):
     s = Session()
     s.solid("box", [0, 0, 0], [25, 25, 25])
     s.clay(layers=["diffusion"], walk=10, viscosity=viscosity, profile="linear")
-    s.add("tool", shape="freeform", scale=[2.4, 2.4, 2.4], rotation=DOWN, **{"from": "shelf:star tip"})
+    s.add("tool", shape="freeform", scale=[2.4, 2.4, 2.4], rotation=DOWN,
+          **{"from": "shelf:star tip", "pivot": [0, 0, 0]})
     s.add("action", name="push")
     s.add("stroke", points=[[0, 27, 0], [0, 12, 0]])
     return s
@@ -190,7 +191,8 @@ def prints():
     s.hold([-70, -20, -40], [70, -7, 40])
     s.clay(stiffness=0)
     for name, x, size in (("letter B", -40, 1.8), ("leaf", -4, 1.2), ("star tip", 38, 2.2)):
-        s.add("tool", shape="freeform", scale=[size] * 3, rotation=DOWN, **{"from": "shelf:" + name})
+        s.add("tool", shape="freeform", scale=[size] * 3, rotation=DOWN,
+              **{"from": "shelf:" + name, "pivot": [0, 0, 0]})
         s.add("action", name="push")
         s.add("stroke", points=[[x, 16, 0], [x, 6, 0]])
     return s

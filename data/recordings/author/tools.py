@@ -58,9 +58,9 @@ def smoothed(radii, strength, points, times=1):
         [stroke(points, spacing=0.4) for _ in range(times)]
 
 
-def digit(width, length, skin, nail):
-    """A finger that points down, its pad toward -y, its nail toward +y."""
-    w = width
+def finger():
+    """It points down, its pad toward -y, its nail toward +y."""
+    w, length, skin, nail = 3.7, 17, "#c79a7b", "#e9c7b8"
     lines = scene(0.3)
     girths = [(0, 0.84), (0.3, 0.88), (0.5, 0.98), (0.7, 0.93), (1, 1)]
     lines.append(tool("ellipsoid", [1.6 * w, 1.6 * w, 1.6 * w]))
@@ -73,9 +73,9 @@ def digit(width, length, skin, nail):
     lines.append(action("add", 0.35, skin))
     lines.append(stroke([[0, -0.3 * w, 1.2 * w], [0, -0.25 * w, 1.7 * w]], spacing=0.2))
     # creases where it bends: three at the back, one in front
-    joint = 0.95 * w + 0.47 * length
     lines.append(tool("ellipsoid", [1.0 * w, 0.42 * w, 0.3 * w]))
     lines.append(action("remove", 0.2))
+    joint = 0.95 * w + 0.47 * length
     for up in (-0.45, 0, 0.45):
         lines.append(stroke([[0, 1.16 * w, joint + up * w]]))
     lines.append(stroke([[0, -1.05 * w, joint]]))
@@ -90,15 +90,42 @@ def digit(width, length, skin, nail):
     return lines
 
 
+def thumb():
+    """Broad and flat, bent back at its only joint, with the ball that it stands on."""
+    skin, nail = "#c79a7b", "#e9c7b8"
+    lines = scene(0.3)
+    lines.append(tool("ellipsoid", [9.2, 7, 8]))
+    lines.append(action("add", 0.5, skin))
+    bent = [[0, 0, 5, 0.92], [0, -0.4, 9, 1], [0, -1.6, 13, 0.86], [0, -1.2, 17, 0.92],
+            [0, 1, 22, 1]]
+    lines.append(stroke(bent, spacing=0.06, pressure=["size"]))
+    lines.append(tool("ellipsoid", [15, 13, 13]))
+    lines.append(action("add", 0.5, skin))
+    lines.append(stroke([[0, 1.5, 25], [0, 3, 29]], spacing=0.1))
+    # creases over the joint, the nail's bed
+    lines.append(tool("ellipsoid", [4.4, 1.7, 1.2]))
+    lines.append(action("remove", 0.2))
+    for up in (12, 14, 16):
+        lines.append(stroke([[0, 3, up]]))
+    lines.append(tool("ellipsoid", [5.2, 2.2, 5.4]))
+    lines.append(action("remove", 0.5))
+    lines.append(stroke([[0, 4, 5.2]]))
+    lines += smoothed([13, 13, 13], 0.8, [[0, 0, 4], [0, 0, 32]])
+    lines.append(fill("ellipsoid", [0, 2.2, 5], [3.9, 1.2, 4.4], nail, about_x(-8)))
+    lines += smoothed([8, 6, 9], 0.35, [[0, 3, 5]])
+    return lines
+
+
 def loop():
-    steel, wood = "#b9b4a8", "#7a4a2c"
+    steel, wood = "#b9b4a8", "#c9a46a"
     lines = scene(0.3)
     lines.append(tool("ellipsoid", [2.2, 2.2, 2.2]))
     lines.append(action("add", 0.5, steel))
-    ring = [[6 * math.sin(math.tau * n / 96), 0, 7 - 6 * math.cos(math.tau * n / 96)]
-            for n in range(97)]
-    lines.append(stroke(ring, spacing=0.1))
-    lines.append(stroke([[0, 0, 13], [0, 0, 18]], spacing=0.1))
+    # A drop of wire, broad where it carves, its ends together in the ferrule.
+    drop = [[6.4 * math.sin(math.tau * n / 96) * (1 - 0.45 * (1 - math.cos(math.tau * n / 96)) / 2),
+             0, 8 - 7 * math.cos(math.tau * n / 96)] for n in range(97)]
+    lines.append(stroke(drop, spacing=0.1))
+    lines.append(stroke([[0, 0, 15], [0, 0, 18]], spacing=0.1))
     lines.append(fill("capsule", [0, 0, 27], [2.4, 10, 2.4], wood, UP))
     lines.append(fill("capsule", [0, 0, 18.6], [2.1, 2.6, 2.1], "#d9b26a", UP))
     lines += smoothed([4, 4, 4], 0.7, [[0, 0, 14], [0, 0, 21]])
@@ -106,7 +133,7 @@ def loop():
 
 
 def rake():
-    steel, wood = "#b9b4a8", "#7a4a2c"
+    steel, wood = "#8f9498", "#3f3a36"
     lines = scene(0.3)
     for x in (-8, -4, 0, 4, 8):
         lines.append(fill("capsule", [x, 0, 5.5], [1, 5.5, 1], steel, UP))
@@ -123,16 +150,15 @@ def rake():
 def knife():
     steel, wood = "#c2c6c9", "#7a4a2c"
     lines = scene(0.25)
-    # A blade is stacked from bars, thick at its back and thin at its edge (-y), that a round tip ends.
-    for n in range(33):
-        turn = math.pi / 2 * n / 32
-        t = 1 - math.cos(turn)
-        y, thick = 3.6 - 7.2 * t, 1.15 - 0.6 * t
-        foot = 0.3 + 6 * (1 - math.sin(turn))
-        top = 17.5 - 1.2 * t * t
-        lines.append(fill("capsule", [0, y, (foot + top) / 2], [thick, (top - foot) / 2, thick],
-                          steel, UP))
-    lines += smoothed([5, 6, 6], 0.9, [[0, 0, 0], [0, 0, 18]], 2)
+    # A wedge of bars along y, their lower ends round towards -y: a slit with upright walls would
+    # have an edge that waves with the cells.
+    for n in range(52):
+        z = 0.7 + n / 3
+        thick = min(0.6 + 0.32 * z, 2.2)
+        front = 3.6 - (6 - math.sqrt(36 - (6 - z) ** 2) if z < 6 else 0)
+        lines.append(fill("capsule", [0, (3.6 - front) / 2, z], [thick, (3.6 + front) / 2, thick],
+                          steel))
+    lines += smoothed([6, 6, 6], 0.9, [[0, 0, 0], [0, 0, 18]], 2)
     lines.append(fill("capsule", [0, 1, 19.4], [1.7, 2.2, 2.2], "#d9b26a", UP))
     lines.append(fill("capsule", [0, 1, 28], [1.9, 9, 2.5], wood, UP))
     lines += smoothed([4, 5, 4], 0.6, [[0, 0.5, 16.5], [0, 1, 22]])
@@ -266,7 +292,5 @@ def write(name, lines):
             out.write(json.dumps(line, separators=(",", ":"), ensure_ascii=False) + "\n")
 
 
-write("finger", digit(3.7, 17, "#c79a7b", "#e9c7b8"))
-write("thumb", digit(5, 17, "#c79a7b", "#e9c7b8"))
-for made in (loop, rake, knife, star_tip, screw, scale, brick, eye):
+for made in (finger, thumb, loop, rake, knife, star_tip, screw, scale, brick, eye):
     write(made.__name__, made())
