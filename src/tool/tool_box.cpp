@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tool/density_grid.hpp"
+#include "tool/float_bits.hpp"
 
 namespace bozzetto {
 namespace {
@@ -13,8 +14,8 @@ std::vector<ToolKind> kindsOf(const ToolBox& box) {
   const std::size_t count = box.value.size();
   std::vector<ToolKind> kinds(count, ToolKind::empty);
   for (std::size_t n = 0; n < count; ++n) {
-    const float value = box.value[n];
-    kinds[n] = value >= 1 ? ToolKind::full : value > 0 ? ToolKind::varied : ToolKind::empty;
+    const std::int32_t value = bits(box.value[n]);  // 0…1
+    kinds[n] = static_cast<ToolKind>((value == 0 ? 1 : 0) | (value == bits(1.0f) ? 2 : 0));
   }
   for (const std::ptrdiff_t stride : {std::ptrdiff_t{1}, strideJ, strideI}) {
     const ToolKind* next = kinds.data() + stride;
@@ -37,9 +38,9 @@ ToolBox::ToolBox(const Clay& clay, const KeyBox& bounds) {
     wide[static_cast<std::size_t>(index(axis))] = (high[axis] - low[axis] + 2) & ~1;
   value.assign(std::size_t(wide[0]) * std::size_t(wide[1]) * std::size_t(wide[2]), 0);
   readDensities(clay, low, wide, value);
-  for (float& each : value) each = std::min(each, 1.0f);
-  bricks = ToolBricks(wide, value);
+  for (float& each : value) each = lesser(each, 1.0f);
   kinds = kindsOf(*this);
+  bricks = ToolBricks(wide, kinds);
 }
 
 }  // namespace bozzetto

@@ -19,8 +19,9 @@ enum class ToolKind : std::uint8_t { varied, empty, full };
 class ToolBricks {
  public:
   ToolBricks() = default;
-  /// Of densities, k fastest; the box has even sides and a rim of air. O(corners).
-  ToolBricks(const std::array<int, 3>& wide, const std::vector<float>& value);
+  /// Of a box's cells, by their lowest corners, k fastest; it has even sides and a rim of air.
+  /// O(corners).
+  ToolBricks(const std::array<int, 3>& wide, const std::vector<ToolKind>& cells);
 
   /// How far the bricks reach that hold the corners `half` away from a place on any axis.
   static int bricksFor(int half) { return (half + 1) / 2; }
@@ -34,7 +35,7 @@ class ToolBricks {
   ToolKind kindOf(Key low, Key high) const;
 
  private:
-  static constexpr int kFarthest = 127, kFull = 128;
+  static constexpr int kFarthest = 7, kFull = 8;  // rows and blocks ask for 3 and 5 at most
 
   // The entry of the brick at a place, or of the one next to it.
   std::size_t nearest(Key place) const {
@@ -45,9 +46,6 @@ class ToolBricks {
                static_cast<std::size_t>(wide_[2]) +
            on(place.k, 2);
   }
-  void find(const std::array<int, 3>& wide, const std::vector<float>& value);
-  void spread(int way);
-
   std::array<int, 3> wide_{};       // in bricks, with a rim of one that nobody asks for
   std::vector<std::uint8_t> near_;  // distance, 0 where corners differ; kFull of clay
 };
