@@ -174,7 +174,7 @@ void Automaton::forMoved(const Region& region, const Callback& callback) const {
 // Cells of blocks that gave, if they are of the surface.
 void Automaton::listMoved(Region& region) {
   forMoved(region, [&](std::size_t cell) {
-    if (isOnSurface(region, cell)) moved_.push_back(static_cast<std::uint32_t>(cell));
+    if (isOnSurface(region, cell)) moved_.note(cell);
   });
   for (const std::uint32_t first : given_)
     forRowsOfTile(region, first, [&](std::size_t row) {
@@ -197,12 +197,15 @@ bool Automaton::widen(Work& work) {
   if (tiles_.empty() || !work.widen) return false;
   const KeyBox wanted = around(tiles_), inner = work.region.inner();
   if (inner.contains(wanted.low) && inner.contains(wanted.high)) return false;
-  std::vector<Key> moved;
-  forMoved(work.region, [&](std::size_t cell) { moved.push_back(work.region.key(cell)); });
+  MovedCells moved;
+  moved.follow(work.region);
+  forMoved(work.region, [&](std::size_t cell) { moved.note(cell); });
   if (!work.widen(wanted)) return false;
   given_.clear();
-  for (const Key key : moved) {
-    work.region.mark2[work.region.index(key)] |= kMoved;
+  moved.follow(work.region);
+  for (const std::uint32_t cell : moved.cells()) {
+    work.region.mark2[cell] |= kMoved;
+    const Key key = work.region.key(cell);
     note(work.region, tileBox({key, key}, 0).low);
   }
   return true;

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "clay/covered.hpp"
+
 namespace bozzetto::clay {
 namespace {
 
@@ -19,11 +21,12 @@ bool holdsTooMuch(const Region& region, std::size_t cell) {
 
 void Clearing::findExcess(Region& region) {
   now_.clear();
-  for (const std::uint32_t cell : region.covered)
-    if (region.mark2[cell] == 0 && region.hold[cell] != kFixed && holdsTooMuch(region, cell)) {
-      region.mark2[cell] = kQueued;  // tools may cover each other
-      now_.push_back(cell);
-    }
+  forCrowded(region, [&](std::uint32_t cell) {
+    if (region.mark2[cell] != 0 || region.hold[cell] == kFixed || !holdsTooMuch(region, cell))
+      return;
+    region.mark2[cell] = kQueued;  // tools may cover each other
+    now_.push_back(cell);
+  });
   for (const std::uint32_t cell : now_) region.mark2[cell] = 0;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "clay/covered.hpp"
+
 namespace bozzetto::clay {
 namespace {
 
@@ -24,9 +26,10 @@ glm::dvec3 normalAt(const Work& work, std::size_t cell) {
   const Key key = work.region.key(cell);
   auto first = &work.moving, second = &work.supports;
   if (work.region.owner[cell] == kStatic) std::swap(first, second);
+  const bool isAlone = first->size() == 1 && second->empty();
   for (const auto* tools : {first, second})
     for (const PlacedTool& tool : *tools) {
-      if (tool.role == Role::grip || tool.cover(key) <= 0) continue;
+      if (tool.role == Role::grip || (!isAlone && tool.cover(key) <= 0)) continue;
       glm::dvec3 normal = tool.normal(key);
       const Key local = key - tool.solid->cell;
       for (const Axis axis : kAxes)
@@ -96,7 +99,7 @@ void Diffusion::prepareStencil(const Region& region, const Settings& settings) {
 void Diffusion::leave(Region& region, const Walk& walk, float& amount) {
   const float given = std::min(amount, floored(roomAt(region, walk.at)));
   region.carry(walk.from, walk.at, given);
-  moved_.push_back(static_cast<std::uint32_t>(walk.at));
+  moved_.note(walk.at);
   region.touch(walk.at);
   amount -= given;
 }
@@ -122,7 +125,7 @@ void Diffusion::spread(Region& region, const Walk& walk, float& amount) {
       const float wanted = std::max(kQuantum, floored(whole * each.weight / sum));
       const float given = std::min({amount, wanted, floored(roomAt(region, each.step))});
       region.carry(walk.from, each.step, given);
-      moved_.push_back(static_cast<std::uint32_t>(each.step));
+      moved_.note(each.step);
       region.touch(each.step);
       amount -= given;
     }
@@ -138,10 +141,19 @@ bool Diffusion::walk(Work& work, Walk& walk, float& amount) {
   Region& region = work.region;
   const double lead = walk.normal[static_cast<int>(walk.axis)];
   const std::ptrdiff_t step = lead < 0 ? -region.strides()[walk.axis] : region.strides()[walk.axis];
+  const FullLines::Way way{walk.axis, lead < 0 ? -1 : 1};
   bool leaving = isClosed(region, walk.at);
   int passed = 0;
-  for (int n = 0; n < walk.longest; ++n) {
-    const std::size_t next = walk.at + step;
+  for (int n = 0; n < longest_; ++n) {
+    std::size_t next = walk.at + step;
+    if (isFull(region, next)) {
+      if (passed == 0 && !walk.exit) walk.exit = next;
+      const int full = lines_.ahead(region, walk.at, way, longest_ - n);
+      leaving = false;
+      passed += full, n += full, next += full * step;
+      walk.at = next - step;
+      if (n == longest_) return false;
+    }
     const bool closed = isClosed(region, next);
     const bool isArm = walk.turn < 3 && region.owner[next] == region.owner[walk.from] &&
                        region.owner[next] >= kMoving;
@@ -168,9 +180,6 @@ void Diffusion::push(Work& work, std::size_t cell) {
   region.touch(cell);
   const glm::dvec3 normal = normalAt(work, cell);
   const double whole = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
-  double radius = 0;
-  for (const PlacedTool& tool : work.moving) radius = std::max(radius, tool.radius);
-  const int longest = longestWalk(work.settings, radius);
   // Cells in turn go on along one of the two other axes, or all would come out on the same sides.
   const Key key = region.key(cell);
   const std::size_t next = 1 + ((key.i ^ key.j ^ key.k) & 1);
@@ -180,7 +189,7 @@ void Diffusion::push(Work& work, std::size_t cell) {
     float amount = std::min(rest, quantised(excess * static_cast<float>(part)));
     if (axis == 2) amount = rest;
     rest -= amount;
-    Walk way{cell, cell, axis, normal, longest, 0, {}};
+    Walk way{cell, cell, axis, normal, 0, {}};
     if (!isClosed(region, cell)) way.exit = cell;
     for (; amount > 0 && way.turn < 6; ++way.turn) {
       if (walk(work, way, amount)) break;
@@ -192,29 +201,18 @@ void Diffusion::push(Work& work, std::size_t cell) {
   }
 }
 
-// Cells that were noted in another region, as cells of this one.
-void Diffusion::follow(const Region& region) {
-  const KeyBox box = region.box();
-  if (box.low == box_.low && box.high == box_.high) return;
-  const Key size = box_.high - box_.low + Key{1, 1, 1};
-  MovedCells same;
-  for (const auto cell : moved_) {
-    const auto n = static_cast<std::int32_t>(cell);
-    const Key key = box_.low + Key{n / (size.j * size.k), n / size.k % size.j, n % size.k};
-    if (!region.inRim(key)) same.push_back(static_cast<std::uint32_t>(region.index(key)));
-  }
-  moved_.swap(same);
-  box_ = box;
-}
-
 void Diffusion::run(Work& work) {
   Region& region = work.region;
-  follow(region);
+  moved_.follow(region);
+  lines_.begin(region);
+  double radius = 0;
+  for (const PlacedTool& tool : work.moving) radius = std::max(radius, tool.radius);
+  longest_ = longestWalk(work.settings, radius);
   prepareStencil(region, work.settings);
   overlapped_.clear();
-  for (const std::uint32_t cell : region.covered)
-    if (region.hold[cell] != kFixed && region.value[cell] > 1 - region.cover[cell])
-      overlapped_.push_back(cell);
+  forCrowded(region, [&](std::uint32_t cell) {
+    if (region.hold[cell] != kFixed) overlapped_.push_back(cell);
+  });
   std::sort(overlapped_.begin(), overlapped_.end());
   overlapped_.erase(std::unique(overlapped_.begin(), overlapped_.end()), overlapped_.end());
   for (const std::uint32_t cell : overlapped_) push(work, cell);
@@ -222,7 +220,7 @@ void Diffusion::run(Work& work) {
 }
 
 void Diffusion::finish(Work& work) {
-  follow(work.region);
+  moved_.follow(work.region);
   fairing_.run(work, moved_, kLastFairing);
 }
 

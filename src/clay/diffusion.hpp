@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "clay/fairing.hpp"
+#include "clay/full_lines.hpp"
 #include "clay/layer.hpp"
 
 namespace bozzetto::clay {
@@ -29,20 +30,19 @@ class Diffusion final : public Layer {
     std::size_t from, at;
     std::size_t axis;
     glm::dvec3 normal;
-    int longest;
     int turn;                         // from the third on it goes the other way round
     std::optional<std::size_t> exit;  // the first cell outside the tool
   };
-  void follow(const Region& region);
   void prepareStencil(const Region& region, const Settings& settings);
   void push(Work& work, std::size_t cell);
   bool walk(Work& work, Walk& walk, float& amount);
   void leave(Region& region, const Walk& walk, float& amount);
   void spread(Region& region, const Walk& walk, float& amount);
 
+  FullLines lines_;
   Fairing fairing_;
-  KeyBox box_;        // of the region that these are cells of
   MovedCells moved_;  // since they were faired
+  int longest_ = 0;   // walk of this step, in cells
   std::vector<std::uint32_t> overlapped_;
   std::vector<Neighbour> stencil_, open_;
 };

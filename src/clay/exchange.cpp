@@ -5,11 +5,28 @@
 #include <optional>
 
 #include "bozzetto/clay/stiffness.hpp"
+#include "clay/fours.hpp"
 
 namespace bozzetto::clay {
 namespace {
 
 constexpr Attributes kColourBits = 0xffffff;
+
+// Calls back for every block in the box: callback(first corner, block).
+template <int Side, class Callback>
+void forBlocks(const Region& region, const Edit<CornerBlock<Side>>& edit,
+               const Callback& callback) {
+  using Geometry = BlockGeometry<Side>;
+  const Key low = Geometry::blockOf(region.box().low), high = Geometry::blockOf(region.box().high);
+  for (std::int32_t bi = low.i; bi <= high.i; ++bi)
+    for (std::int32_t bj = low.j; bj <= high.j; ++bj)
+      edit.visit({{bi, bj, low.k}, high.k - low.k + 1},
+                 [&](KeyRun piece, const CornerBlock<Side>* block) {
+                   if (block == nullptr) return;
+                   for (std::int32_t n = 0; n < piece.length; ++n)
+                     callback(Geometry::firstCornerOf(piece.key + Key{0, 0, n}), *block);
+                 });
+}
 
 template <int Side>
 struct BlockRow {
@@ -18,24 +35,72 @@ struct BlockRow {
   const Attributes* attributes;
 };
 
+template <int Side, class Callback>
+void forBlockRows(const Region& region, Key first, const CornerBlock<Side>& block,
+                  const Callback& callback) {
+  const std::size_t cell = region.index(first);
+  for (int row = 0; row < Side * Side; ++row)
+    callback(
+        BlockRow<Side>{cell + row / Side * region.strides()[0] + row % Side * region.strides()[1],
+                       &block.value[row * Side], &block.attributes[row * Side]});
+}
+
 // Calls back for every row of every block in the box, Side cells each.
 template <int Side, class Callback>
 void forBlockRows(const Region& region, const Edit<CornerBlock<Side>>& edit,
                   const Callback& callback) {
-  using Geometry = BlockGeometry<Side>;
-  const Key low = Geometry::blockOf(region.box().low), high = Geometry::blockOf(region.box().high);
-  for (std::int32_t bi = low.i; bi <= high.i; ++bi)
-    for (std::int32_t bj = low.j; bj <= high.j; ++bj)
-      edit.visit(
-          {{bi, bj, low.k}, high.k - low.k + 1}, [&](KeyRun piece, const CornerBlock<Side>* block) {
-            if (block == nullptr) return;
-            for (std::int32_t n = 0; n < piece.length; ++n) {
-              const Key first = Geometry::firstCornerOf(piece.key + Key{0, 0, n});
-              for (int row = 0; row < Side * Side; ++row)
-                callback(BlockRow<Side>{region.index(first + Key{row / Side, row % Side, 0}),
-                                        &block->value[row * Side], &block->attributes[row * Side]});
-            }
-          });
+  forBlocks<Side>(region, edit, [&](Key first, const CornerBlock<Side>& block) {
+    forBlockRows<Side>(region, first, block, callback);
+  });
+}
+
+// What a block brings: its greatest value, all bits of its attributes, and in what its clay's
+// colours differ from `colour`.
+struct Loaded {
+  Attributes colour = 0;
+  float most = 0;
+  Attributes all = 0, others = 0;
+};
+
+// Where the block is in the region.
+struct Target {
+  float* first;
+  std::ptrdiff_t slab, row;
+};
+
+void loadBlock(const CornerBlock<8>& block, const Target& to, Loaded& found) {
+  const Four twelve = allFour(12);
+  const auto c = static_cast<std::int32_t>(found.colour), bits = std::int32_t{kColourBits};
+  const FourMasks colour{c, c, c, c}, colourBits{bits, bits, bits, bits};
+  Four most{};
+  FourMasks all{}, others{};
+  for (int n = 0; n < 512; n += 4) {
+    const Four value = fourAt(&block.value[n]);
+    const FourMasks attributes = fourAt(&block.attributes[n]);
+    put((value + twelve) - twelve, to.first + n / 64 * to.slab + n / 8 % 8 * to.row + n % 8);
+    most = greater(most, value);
+    all |= attributes;
+    others |= (value > Four{}) & (attributes ^ colour) & colourBits;
+  }
+  for (int n = 0; n < 4; ++n) {
+    found.most = std::max(found.most, most[n]);
+    found.all |= static_cast<Attributes>(all[n]);
+    found.others |= static_cast<Attributes>(others[n]);
+  }
+}
+
+void loadBlock(const CornerBlock<1>& block, const Target& to, Loaded& found) {
+  *to.first = quantised(block.value[0]);
+  found.most = block.value[0];
+  found.all = block.attributes[0];
+  if (block.value[0] > 0) found.others = (block.attributes[0] ^ found.colour) & kColourBits;
+}
+
+template <int Side>
+std::optional<Attributes> colourIn(const CornerBlock<Side>& block) {
+  for (int n = 0; n < CornerBlock<Side>::kCount; ++n)
+    if (block.value[n] > 0) return block.attributes[n] & kColourBits;
+  return {};
 }
 
 // What a cell of the tree becomes; returns whether it differs from what it was.
@@ -64,23 +129,64 @@ struct CellWriter {
   }
 };
 
+// The rows of a block of which a value or attributes are not what is there, a bit each; where all
+// clay has one colour.
+std::uint64_t otherRows(const CornerBlock<8>& block, const Region& region, std::size_t first) {
+  const auto [slab, step, next] = region.strides();
+  const Four twelve = allFour(12);
+  const auto colour = static_cast<std::int32_t>(region.onlyColour);
+  std::uint64_t rows = 0;
+  for (int n = 0; n < 512; n += 4) {
+    const std::size_t cell = first + n / 64 * slab + n / 8 % 8 * step + n % 8;
+    const Four value = fourAt(&block.value[n]), now = fourAt(&region.value[cell]);
+    const std::uint8_t* hold = &region.hold[cell];
+    const FourMasks holds{hold[0], hold[1], hold[2], hold[3]};
+    const FourMasks wanted = holds << 24 | FourMasks{colour, colour, colour, colour};
+    const FourMasks same = (value + twelve) - twelve == now;
+    const FourMasks isDressed = (now > Four{}) & (wanted != fourAt(&block.attributes[n]));
+    rows |= std::uint64_t{any(~same | isDressed)} << n / 8;
+  }
+  return rows;
+}
+
+std::uint64_t otherRows(const CornerBlock<1>& block, const Region& region, std::size_t first) {
+  const float now = region.value[first];
+  const Attributes wanted = region.onlyColour | Attributes{region.hold[first]} << 24;
+  return quantised(block.value[0]) != now || (now > 0 && wanted != block.attributes[0]) ? 1 : 0;
+}
+
+// The same, whatever the colours.
+template <int Side>
+std::uint64_t otherRowsOf(const CellWriter& writer, const CornerBlock<Side>& block, Key first) {
+  if (!writer.region.colourful) return otherRows(block, writer.region, writer.region.index(first));
+  std::uint64_t rows = 0;
+  int number = 0;
+  forBlockRows<Side>(writer.region, first, block, [&](const BlockRow<Side>& row) {
+    bool isOther = false;
+    for (int k = 0; k < Side; ++k) {
+      float value = row.value[k];
+      Attributes attributes = row.attributes[k];
+      isOther = isOther || writer(row.cell + k, value, attributes);
+    }
+    rows |= std::uint64_t{isOther} << number++;
+  });
+  return rows;
+}
+
 template <int Side>
 bool storeBlock(const CellWriter& writer, Edit<CornerBlock<Side>>& edit, Key block) {
+  static const CornerBlock<Side> empty;
   const CornerBlock<Side>* old = edit.read(block);
-  std::array<float, CornerBlock<Side>::kCount> value{};
-  std::array<Attributes, CornerBlock<Side>::kCount> attributes{};
-  if (old != nullptr) value = old->value, attributes = old->attributes;
   const Key first = BlockGeometry<Side>::firstCornerOf(block);
-  bool changed = false;
+  const std::uint64_t rows = otherRowsOf<Side>(writer, old != nullptr ? *old : empty, first);
+  if (rows == 0) return false;
+  CornerBlock<Side>& target = edit.write(block);
   for (int row = 0; row < Side * Side; ++row) {
+    if ((rows >> row & 1) == 0) continue;
     const std::size_t cell = writer.region.index(first + Key{row / Side, row % Side, 0});
     for (int n = row * Side, k = 0; k < Side; ++n, ++k)
-      changed = writer(cell + k, value[n], attributes[n]) || changed;
+      writer(cell + k, target.value[n], target.attributes[n]);
   }
-  if (!changed) return false;
-  CornerBlock<Side>& target = edit.write(block);
-  target.value = value;
-  target.attributes = attributes;
   target.updateRange();
   return true;
 }
@@ -141,21 +247,23 @@ void storeStiffness(const Region& region, std::span<const Key> tiles,
 
 template <int Side>
 void load(Region& region, const Edit<CornerBlock<Side>>& edit) {
-  std::optional<Attributes> first;
-  forBlockRows<Side>(region, edit, [&](const BlockRow<Side>& row) {
-    region.touch(row.cell);
-    const bool inRim = region.inRim(region.key(row.cell));
-    for (int k = 0; k < Side; ++k) {
-      const std::size_t cell = row.cell + k;
-      region.clayInRim = region.clayInRim || (inRim && row.value[k] > kThin);
-      region.value[cell] = quantised(row.value[k]);
-      region.hold[cell] = std::max(region.hold[cell], holdOf(row.attributes[k]));
-      if (row.value[k] <= 0) continue;
-      if (!first) first = row.attributes[k] & kColourBits;
-      region.colourful = region.colourful || (row.attributes[k] & kColourBits) != *first;
-    }
+  std::optional<Attributes> colour;
+  forBlocks<Side>(region, edit, [&](Key first, const CornerBlock<Side>& block) {
+    region.touch(region.index(first));
+    if (!colour) colour = colourIn(block);
+    Loaded found{colour.value_or(0)};
+    const Target target{&region.value[region.index(first)], region.strides()[0],
+                        region.strides()[1]};
+    loadBlock(block, target, found);
+    const bool inRim = region.inRim(first);
+    region.clayInRim = region.clayInRim || (inRim && found.most > kThin);
+    region.colourful = region.colourful || found.others != 0;
+    if (inRim || found.all >> 24 == 0) return;
+    forBlockRows<Side>(region, first, block, [&](const BlockRow<Side>& row) {
+      for (int k = 0; k < Side; ++k) region.hold[row.cell + k] = holdOf(row.attributes[k]);
+    });
   });
-  region.onlyColour = first.value_or(0);
+  region.onlyColour = colour.value_or(0);
   if (!region.colourful) return;
   for (int n = 0; n < 3; ++n) region.carried.push_back(cellsFor(region));
   forBlockRows<Side>(region, edit, [&](const BlockRow<Side>& row) {

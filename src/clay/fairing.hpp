@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "clay/layer.hpp"
+#include "clay/moved_cells.hpp"
 
 namespace bozzetto::clay {
-
-/// Cells that matter came to in a step, in any order, more than once or not.
-using MovedCells = std::vector<std::uint32_t>;
 
 class Fairing {
  public:
@@ -20,8 +18,14 @@ class Fairing {
   void list(Region& region, const MovedCells& moved);
   void exchange(Region& region, std::size_t cell);
 
-  MovedCells cells_;
-  std::vector<std::uint32_t> groups_;  // the first of eight cells in a row
+  std::vector<std::uint32_t> cells_;
+  struct Group {
+    std::uint32_t first;    // of eight cells in a row
+    std::uint32_t cells;    // those listed, a bit each
+    std::uint32_t surface;  // of these, by the last measurement
+    bool free;              // no tool and nothing held is near
+  };
+  std::vector<Group> groups_;
 };
 
 }  // namespace bozzetto::clay

@@ -1,16 +1,31 @@
 #include "clay/placed_tool.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 
 #include "bozzetto/grid/key_box.hpp"
+#include "clay/fours.hpp"
 
 namespace bozzetto::clay {
 namespace {
 
 // Solids slope over two cells; tools for clay over one: clay wants sharp edges.
+constexpr float kLeastValue = 0.25f;
 float sharpened(float value) { return std::clamp(2 * value - 0.5f, 0.0f, 1.0f); }
+Four sharpened(const Four& value) {
+  return greater(lesser(allFour(2) * value - allFour(0.5f), allFour(1)), allFour(0));
+}
+
+// Of the 8 × 8 rows of a tile: those with cells of the tool, a bit each.
+std::uint64_t rowsOf(const float* value) {
+  std::uint64_t rows = 0;
+  for (int n = 0; n < 512; n += 4)
+    rows |= std::uint64_t{any(fourAt(value + n) > allFour(kLeastValue))} << n / 8;
+  return rows;
+}
 
 template <class Callback>
 void forTiles(const KeyBox& box, const Callback& callback) {
@@ -59,7 +74,7 @@ void CoverPainter::paintStatic(Region& region, const std::vector<PlacedTool>& su
   for (const PlacedTool& tool : supports) paint(region, tool, tool.box, kStatic);
   before_.clear();
   sparePastClay(region);
-  staticCells_ = region.covered.size();
+  staticRows_ = region.covered.size();
   if (!region.clayInRim) return;
   for (const Axis axis : kAxes) holdFaces(region, axis);
 }
@@ -67,20 +82,23 @@ void CoverPainter::paintStatic(Region& region, const std::vector<PlacedTool>& su
 // Supports press nothing out: clay in which one was put stays, held by it, and takes that room.
 // (What clay that is pushed against a support leaves inside it is less than half a cell.)
 void CoverPainter::sparePastClay(Region& region) {
-  std::vector<std::uint32_t> spared;
-  for (const std::uint32_t cell : region.covered) {
-    if (region.cover[cell] < 1 || region.value[cell] < 0.5f) continue;
+  std::vector<std::size_t> spared;
+  const auto look = [&](std::size_t cell) {
+    if (region.cover[cell] < 1 || region.value[cell] < 0.5f) return;
     for (const std::ptrdiff_t i : {-1, 0, 1})
       for (const std::ptrdiff_t j : {-1, 0, 1})
         for (const std::ptrdiff_t k : {-1, 0, 1}) {
           const std::size_t near = cell + i * region.strides()[0] + j * region.strides()[1] + k;
-          if (region.value[near] > 1 - region.cover[near])
-            spared.push_back(static_cast<std::uint32_t>(near));
+          if (region.value[near] > 1 - region.cover[near]) spared.push_back(near);
         }
-  }
-  for (const std::uint32_t cell : spared) region.cover[cell] = 0;
-  if (spared.empty()) return;
-  std::erase_if(region.covered, [&](std::uint32_t cell) { return region.cover[cell] <= 0; });
+  };
+  for (const CoveredRow& row : region.covered)
+    for (std::size_t n = 0; n < Region::kTile; ++n)
+      if ((row.cells >> n & 1) != 0) look(row.first + n);
+  for (const std::size_t cell : spared) region.cover[cell] = 0;
+  for (CoveredRow& row : region.covered)
+    for (std::size_t n = 0; n < Region::kTile; ++n)
+      if (region.cover[row.first + n] <= 0) row.cells &= static_cast<std::uint8_t>(~(1u << n));
 }
 
 // Clay that goes on beyond the region is held there.
@@ -102,11 +120,11 @@ void CoverPainter::holdFaces(Region& region, Axis axis) {
 void CoverPainter::paintMoving(Region& region, const std::vector<PlacedTool>& moving,
                                const KeyBox& within) {
   for (auto painted = before_.rbegin(); painted != before_.rend(); ++painted) {
-    region.cover[painted->cell] = painted->cover;
-    region.owner[painted->cell] = painted->owner;
+    std::copy_n(painted->cover.data(), Region::kTile, &region.cover[painted->first]);
+    std::copy_n(painted->owner.data(), Region::kTile, &region.owner[painted->first]);
   }
   before_.clear();
-  region.covered.resize(staticCells_);
+  region.covered.resize(staticRows_);
   for (const std::size_t cell : staticTiles_) region.enterBand(cell);
   for (std::size_t n = 0; n < moving.size(); ++n)
     if (moving[n].role != Role::swell)
@@ -122,23 +140,39 @@ void CoverPainter::paint(Region& region, const PlacedTool& tool, const KeyBox& b
 void CoverPainter::paintTile(Region& region, const PlacedTool& tool, std::uint8_t owner, Key tile) {
   float value[512];
   tool.solid->evaluate(tile - tool.solid->cell, 8, value);
-  bool any = false;
+  std::uint64_t rows = rowsOf(value);
+  if (rows == 0) return;
   const std::size_t first = region.index(tile);
   const auto& step = region.strides();
-  for (int n = 0; n < 512; ++n) {
-    if (value[n] <= 0.25f) continue;
-    any = true;
-    const std::size_t cell = first + n / 64 * step[0] + n / 8 % 8 * step[1] + n % 8;
-    before_.push_back({cell, region.cover[cell], region.owner[cell]});
-    if (tool.role != Role::grip) {
-      region.cover[cell] = std::max(region.cover[cell], sharpened(value[n]));
-      region.covered.push_back(static_cast<std::uint32_t>(cell));
-    }
-    if (region.owner[cell] == kNobody) region.owner[cell] = owner;
+  for (; rows != 0; rows &= rows - 1) {
+    const int row = std::countr_zero(rows);
+    paintRow(region, {tool, owner, first + row / 8 * step[0] + row % 8 * step[1]}, &value[row * 8]);
   }
-  if (!any) return;
-  region.enterBand(region.index(tile));
-  if (owner == kStatic) staticTiles_.push_back(region.index(tile));
+  region.enterBand(first);
+  if (owner == kStatic) staticTiles_.push_back(first);
+}
+
+void CoverPainter::paintRow(Region& region, const Brush& brush, const float* value) {
+  float* cover = &region.cover[brush.first];
+  std::uint8_t* owner = &region.owner[brush.first];
+  Painted before;
+  before.first = brush.first;
+  std::copy_n(cover, Region::kTile, before.cover.data());
+  std::copy_n(owner, Region::kTile, before.owner.data());
+  before_.push_back(before);
+  std::uint32_t cells = 0;
+  for (int n = 0; n < Region::kTile; ++n) cells |= std::uint32_t{value[n] > kLeastValue} << n;
+  const bool isPlain = cells == 0xff && std::bit_cast<std::uint64_t>(before.owner) == 0;
+  if (isPlain)
+    std::memset(owner, brush.owner, Region::kTile);
+  else
+    for (int n = 0; n < Region::kTile; ++n)
+      if ((cells >> n & 1) != 0 && owner[n] == kNobody) owner[n] = brush.owner;
+  if (brush.tool.role == Role::grip) return;
+  for (int n = 0; n < Region::kTile; n += 4)
+    put(greater(fourAt(cover + n), sharpened(fourAt(value + n))), cover + n);
+  region.covered.push_back(
+      {static_cast<std::uint32_t>(brush.first), static_cast<std::uint8_t>(cells)});
 }
 
 bool touchesClay(const Region& region, const PlacedTool& tool) {
@@ -148,7 +182,7 @@ bool touchesClay(const Region& region, const PlacedTool& tool) {
     float value[512];
     tool.solid->evaluate(tile - tool.solid->cell, 8, value);
     for (int n = 0; n < 512 && !touches; ++n)
-      touches = value[n] > 0.25f &&
+      touches = value[n] > kLeastValue &&
                 region.value[region.index(tile + Key{n / 64, n / 8 % 8, n % 8})] > kThin;
   });
   return touches;

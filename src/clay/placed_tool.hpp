@@ -45,19 +45,25 @@ class CoverPainter {
   void paintMoving(Region& region, const std::vector<PlacedTool>& moving, const KeyBox& within);
 
  private:
-  struct Painted {
-    std::size_t cell;
-    float cover;
-    std::uint8_t owner;
+  struct Painted {  // what eight cells were before
+    std::size_t first;
+    std::array<float, Region::kTile> cover;
+    std::array<std::uint8_t, Region::kTile> owner;
   };
   void sparePastClay(Region& region);
   void holdFaces(Region& region, Axis axis);
   void paint(Region& region, const PlacedTool& tool, const KeyBox& box, std::uint8_t owner);
+  struct Brush {
+    const PlacedTool& tool;
+    std::uint8_t owner;
+    std::size_t first;  // of the eight cells
+  };
   void paintTile(Region& region, const PlacedTool& tool, std::uint8_t owner, Key tile);
+  void paintRow(Region& region, const Brush& brush, const float* value);
 
   std::vector<Painted> before_;
   std::vector<std::size_t> staticTiles_;  // a cell of each
-  std::size_t staticCells_ = 0;
+  std::size_t staticRows_ = 0;            // in the region's `covered`
 };
 
 /// Any cell of clay that the tool covers.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 
 #include "bozzetto/grid/key_box.hpp"
+#include "clay/fours.hpp"
 
 namespace bozzetto::clay {
 namespace {
@@ -52,18 +54,30 @@ Region::Region(const KeyBox& box) : box_(box) {
     *cells = Cells<std::uint8_t>(count);
   flags_.assign(static_cast<std::size_t>(tiles_.i) * tiles_.j * tiles_.k, 0);
   countOf_.assign(flags_.size(), 0);
-  for (std::int32_t i = 0; i < tiles_.i; ++i)
-    for (std::int32_t j = 0; j < tiles_.j; ++j)
-      for (std::int32_t k = 0; k < tiles_.k; ++k)
-        if (inRim(box.low + Key{i, j, k} * kTile)) {
-          const std::size_t tile = tileIndex(i, j, k);
-          flags_[tile] = kAtRim;
-          forRowsOfTile(tile, [&](std::size_t base) {
-            std::fill_n(&hold[base], kTile, kFixed);
-            std::fill_n(&owner[base], kTile, static_cast<std::uint8_t>(kRim));
-            std::fill_n(&type[base], kTile, static_cast<std::uint8_t>(CellType::closed));
-          });
-        }
+  closeRim();
+}
+
+// Nothing moves there, and it is nobody's.
+void Region::closeRim() {
+  const auto close = [&](std::size_t first, std::ptrdiff_t count) {
+    std::memset(&hold[first], kFixed, count);
+    std::memset(&owner[first], kRim, count);
+    std::memset(&type[first], static_cast<int>(CellType::closed), count);
+  };
+  // Both ends of a run of `size` that starts at `first`, each so many thick.
+  const auto closeEnds = [&](std::size_t first, std::ptrdiff_t size, std::ptrdiff_t thick) {
+    close(first, thick);
+    close(first + size - thick, thick);
+  };
+  const std::ptrdiff_t slab = strides_[0], row = strides_[1];
+  closeEnds(0, box_.count(), kTile * slab);
+  for (std::ptrdiff_t i = kTile; i < (tiles_.i - 1) * kTile; ++i) {
+    closeEnds(i * slab, slab, kTile * row);
+    for (std::ptrdiff_t j = kTile; j < (tiles_.j - 1) * kTile; ++j)
+      closeEnds(i * slab + j * row, row, kTile);
+  }
+  for (std::uint32_t tile = 0; tile < flags_.size(); ++tile)
+    if (inRim(firstOf(tile))) flags_[tile] = kAtRim;
 }
 
 KeyBox Region::inner() const {
@@ -72,18 +86,6 @@ KeyBox Region::inner() const {
 }
 
 bool Region::inRim(Key key) const { return !inner().contains(key); }
-
-std::size_t Region::index(Key key) const {
-  const Key local = key - box_.low;
-  return static_cast<std::size_t>(local.i * strides_[0] + local.j * strides_[1] + local.k);
-}
-
-Key Region::key(std::size_t index) const {
-  const auto n = static_cast<std::ptrdiff_t>(index);
-  return box_.low + Key{static_cast<std::int32_t>(n / strides_[0]),
-                        static_cast<std::int32_t>(n % strides_[0] / strides_[1]),
-                        static_cast<std::int32_t>(n % strides_[1])};
-}
 
 std::size_t Region::tileIndex(std::int32_t i, std::int32_t j, std::int32_t k) const {
   return (static_cast<std::size_t>(i) * tiles_.j + j) * tiles_.k + k;
@@ -99,13 +101,8 @@ void Region::forRowsOfTile(std::size_t tile, const Callback& callback) const {
 }
 
 std::uint32_t Region::tileOf(std::size_t cell) const {
-  const auto n = static_cast<std::uint32_t>(cell);
-  const auto slab = static_cast<std::uint32_t>(strides_[0]),
-             row = static_cast<std::uint32_t>(strides_[1]);
-  const std::uint32_t i = n / slab, j = n % slab / row, k = n % row;
-  return static_cast<std::uint32_t>(tileIndex(static_cast<std::int32_t>(i / kTile),
-                                              static_cast<std::int32_t>(j / kTile),
-                                              static_cast<std::int32_t>(k / kTile)));
+  const Key local = key(cell) - box_.low;
+  return static_cast<std::uint32_t>(tileIndex(local.i / kTile, local.j / kTile, local.k / kTile));
 }
 
 // The tile itself is the 14th.
@@ -143,26 +140,24 @@ struct Least {
   float least = 1;
 };
 
-BOZZETTO_KERNEL Least leastKernel(const float* value) {
-  Least found;
-  for (int n = 0; n < Region::kTile; ++n) {
-    found.clay += value[n] > 0 ? 1 : 0;
-    found.dense += value[n] >= 0.5f ? 1 : 0;
-    found.least = value[n] < found.least ? value[n] : found.least;
-  }
-  return found;
+// Of the cells of a tile, from its first.
+Least look(const float* first, std::ptrdiff_t slab, std::ptrdiff_t row) {
+  FourMasks clay{}, dense{};
+  Four lowest = allFour(1);
+  for (int n = 0; n < Region::kTile * Region::kTile; ++n)
+    for (const int half : {0, Region::kTile / 2}) {
+      const Four value = fourAt(first + n / Region::kTile * slab + n % Region::kTile * row + half);
+      clay += value > allFour(0);
+      dense += value >= allFour(0.5f);
+      lowest = lesser(lowest, value);
+    }
+  return {count(clay), count(dense), least(lowest)};
 }
 
 }  // namespace
 
-bool Region::lookAt(std::size_t tile) {
-  Least all;
-  forRowsOfTile(tile, [&](std::size_t base) {
-    const Least row = leastKernel(&value[base]);
-    all.clay += row.clay;
-    all.dense += row.dense;
-    all.least = std::min(all.least, row.least);
-  });
+bool Region::lookAt(std::uint32_t tile) {
+  const Least all = look(&value[index(firstOf(tile))], strides_[0], strides_[1]);
   const int found = (all.clay > 0 ? kHasClay : 0) | (all.dense > 0 ? kDense : 0) |
                     (all.least >= 0.5f ? kSolid : 0);
   constexpr int looked = kHasClay | kDense | kSolid | kTouched;
@@ -263,8 +258,7 @@ Key Region::firstOf(std::uint32_t tile) const {
 
 void Region::listTiles(Selection which, std::vector<TileRun>& runs) const {
   runs.clear();
-  for (std::size_t n = 0; n < listed_.size(); ++n) {
-    const std::uint32_t tile = listed_[n];
+  for (const std::uint32_t tile : listed_) {
     if ((flags_[tile] & which.mask) != which.wanted) continue;
     const auto t = static_cast<std::int32_t>(tile);
     const TileRun own{t / (tiles_.j * tiles_.k), t / tiles_.k % tiles_.j, t % tiles_.k, 1};

@@ -40,6 +40,12 @@ struct TileRun {
   std::int32_t i, j, k, count;
 };
 
+/// Cells of a tool among the eight from `first`, a bit each.
+struct CoveredRow {
+  std::uint32_t first;
+  std::uint8_t cells;
+};
+
 /// What a cell is to the projection.
 enum class CellType : std::uint8_t { air = 0, clay = 1, closed = 2, gripped = 3 };
 
@@ -56,8 +62,22 @@ class Region {
   const KeyBox& box() const { return box_; }
   /// The box without the rim.
   KeyBox inner() const;
-  std::size_t index(Key key) const;
-  Key key(std::size_t index) const;
+  std::size_t index(Key key) const {
+    const Key local = key - box_.low;
+    return static_cast<std::size_t>(local.i * strides_[0] + local.j * strides_[1] + local.k);
+  }
+  Key key(std::size_t index) const {
+    const auto n = static_cast<std::uint32_t>(index);
+    const auto slab = static_cast<std::uint32_t>(strides_[0]),
+               row = static_cast<std::uint32_t>(strides_[1]);
+    const std::uint32_t inSlab = n % slab;
+    return box_.low + Key{static_cast<std::int32_t>(n / slab),
+                          static_cast<std::int32_t>(inSlab / row),
+                          static_cast<std::int32_t>(inSlab % row)};
+  }
+  /// A number of the tile of this cell, less than tileCount().
+  std::uint32_t tileOf(std::size_t cell) const;
+  std::size_t tileCount() const { return flags_.size(); }
   /// Steps to the next cell along each axis.
   const std::array<std::ptrdiff_t, 3>& strides() const { return strides_; }
   /// Steps to the six neighbours: +i, −i, +j, −j, +k, −k.
@@ -121,10 +141,10 @@ class Region {
   bool colourful = false, stiffened = false;  ///< which of these there are
   Cells<float> fade;                          ///< freedom towards the rim; empty: 1
   Cells<std::uint8_t> hold, owner, type, mark, mark2;
-  std::vector<std::uint32_t> covered;  ///< cells that tools cover, static ones first
-  std::uint32_t onlyColour = 0;        ///< attributes without hold
-  bool clayInRim = false;              ///< clay goes on beyond the region
-  bool wished = false;                 ///< a layer has asked for a displacement not yet carried out
+  std::vector<CoveredRow> covered;  ///< cells that tools cover, static ones first
+  std::uint32_t onlyColour = 0;     ///< attributes without hold
+  bool clayInRim = false;           ///< clay goes on beyond the region
+  bool wished = false;              ///< a layer has asked for a displacement not yet carried out
 
  private:
   struct Tiles {
@@ -135,9 +155,9 @@ class Region {
     std::uint16_t mask, wanted;
   };
   std::size_t tileIndex(std::int32_t i, std::int32_t j, std::int32_t k) const;
-  std::uint32_t tileOf(std::size_t cell) const;
   std::array<std::uint32_t, 27> around(std::uint32_t tile) const;
-  bool lookAt(std::size_t tile);
+  void closeRim();
+  bool lookAt(std::uint32_t tile);
   void list();
   void classify(std::uint32_t tile);
   void clear(std::size_t tile);
@@ -162,9 +182,12 @@ class Region {
   KeyBox clayBox_;
 };
 
-/// Held, or half or more of it is a tool's or a support's: walking matter does not cross it.
+/// A cell of which tools take so much, or more, is closed.
+inline constexpr float kClosedCover = 0.5f;
+/// Held, or half or more of it is a tool's or a support's: walking matter does not cross it, and no
+/// surface is faired there.
 inline bool isClosed(const Region& region, std::size_t cell) {
-  return region.hold[cell] == kFixed || region.cover[cell] >= 0.5f;
+  return region.hold[cell] == kFixed || region.cover[cell] >= kClosedCover;
 }
 /// Not held, and both in what moves or both in what stands still: the way out of one may cross the
 /// other.

@@ -325,7 +325,7 @@ TEST(KnownAnswers, RimsOfToolsAreNotEmptied) {
     bench.fill({4, 4, 4}, {4, 4, 4});
     const std::size_t cell = bench.region.index({4, 4, 4});
     bench.region.cover[cell] = 0.8f;
-    bench.region.covered = {static_cast<std::uint32_t>(cell)};
+    bench.region.covered = {{static_cast<std::uint32_t>(cell), 1}};
     for (int n = ways; n < 6; ++n) bench.region.hold[cell + bench.region.neighbours()[n]] = kFixed;
     Work work = bench.work();
     Clearing().run(work);
@@ -350,7 +350,7 @@ TEST(KnownAnswers, RaffinsPartsFollowTheNormal) {
   bench.fill({4, 4, 4}, {4, 4, 4}, 0.9f);
   const std::size_t cell = bench.region.index({4, 4, 4});
   bench.region.cover[cell] = 1;
-  bench.region.covered = {static_cast<std::uint32_t>(cell)};
+  bench.region.covered = {{static_cast<std::uint32_t>(cell), 1}};
   PlacedTool tool;
   tool.solid = std::make_unique<Slanted>();
   tool.solid->cell = {4, 4, 4};
