@@ -15,7 +15,7 @@ double angleBetween(const glm::dquat& a, const glm::dquat& b) {
 
 }  // namespace
 
-PosePath::PosePath(std::vector<Pose> poses, double radius, double step)
+PosePath::PosePath(const std::vector<Pose>& poses, double radius, double step)
     : radius_(radius), step_(step) {
   for (const Pose& pose : poses) append(pose);
 }

@@ -15,7 +15,7 @@ struct Pose {
 class PosePath {
  public:
   /// Steps of `step` cells of the fastest point of a tool of this radius; the last may be shorter.
-  PosePath(std::vector<Pose> poses, double radius, double step);
+  PosePath(const std::vector<Pose>& poses, double radius, double step);
   void append(const Pose& pose);
   const glm::dquat& lastRotation() const { return poses_.back().rotation; }
   /// Steps after the first pose, as a double because it may be absurd.

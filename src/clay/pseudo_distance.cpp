@@ -39,8 +39,7 @@ void PseudoDistance::run(const Region& region, std::uint8_t owner, const Cells<f
   for (std::size_t now = 0; idle < kBuckets; ++now) {
     std::vector<std::uint32_t>& bucket = bucket_[now % kBuckets];
     idle = bucket.empty() ? idle + 1 : 0;
-    for (std::size_t n = 0; n < bucket.size(); ++n) {
-      const std::size_t cell = bucket[n];
+    for (const std::size_t cell : bucket) {
       const float here = distance[cell];
       if (static_cast<std::size_t>(here) != now) continue;  // reached on a shorter way since
       for (const std::ptrdiff_t step : region.neighbours()) {
