@@ -10,6 +10,9 @@ inline constexpr std::size_t kMostTiles = 32768;
 /// Corners of its box, air included; memory is taken where clay is only.
 inline constexpr std::int64_t kMostCorners = std::int64_t{1} << 29;
 
+/// Tiles of air round the clay of a region.
+inline constexpr std::int32_t kRoom = 2;
+
 struct Reach {
   KeyBox box;         ///< corners, in whole tiles; empty when there is no clay
   bool whole = true;  ///< no clay goes on beyond the box

@@ -28,7 +28,6 @@ constexpr double kFadeReach = 1;         // × radius: the outer part of that
 constexpr double kSweepReach = 24;       // cells: tiles beside the tool and their neighbours
 constexpr std::int64_t kMostRegion = std::int64_t{1} << 31;   // cells are counted in 32 bits
 constexpr std::int64_t kMostWidened = std::int64_t{1} << 24;  // of these, for travelling matter
-constexpr std::int32_t kRoom = 2;   // tiles of air round the clay of a region
 constexpr std::int32_t kSlack = 1;  // tiles a tool may move before its region does
 
 bool within(const KeyBox& box, const KeyBox& outer) {
@@ -113,16 +112,16 @@ struct ClayStroke<Side>::State {
   bool whole = true, touching = false;
   std::vector<KeyRun> changed;  // by what was stored between two calls of store()
 
-  State(Edit<CornerBlock<Side>>& edit_, const FieldScale& scale, const Doing& doing_,
-        const Setup& setup_)
-      : edit(&edit_),
-        setup(setupFor(doing_, setup_)),
+  State(Edit<CornerBlock<Side>>& into, const FieldScale& scale, const Doing& what,
+        const Setup& given)
+      : edit(&into),
+        setup(setupFor(what, given)),
         spacing(scale.spacing),
-        doing(doing_),
+        doing(what),
         iso(scale.iso),
-        supports(placeSupports(setup_.supports, scale.spacing)),
+        supports(placeSupports(given.supports, scale.spacing)),
         stepper(setup.settings),
-        paint(setup_.stiffness),
+        paint(given.stiffness),
         stiffest(followingAt(static_cast<float>(setup.settings.stiffness), paint.most())) {}
 
   bool runs(LayerKind kind) const { return clay::runs(setup.settings, kind); }
@@ -131,7 +130,6 @@ struct ClayStroke<Side>::State {
   // Nothing happens far from the tool.
   bool fluid() const {
     if (doing.role == Role::swell) return true;
-    if (runs(LayerKind::automaton) && doing.role == Role::grip) return false;  // pulled from afar
     return stiffest <= kFluid || !runs(LayerKind::displacement);
   }
 
@@ -419,36 +417,5 @@ Stiffness ClayStroke<Side>::stiffness() {
 
 template class ClayStroke<1>;
 template class ClayStroke<8>;
-
-template <int Side>
-std::vector<KeyRun> relax(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, Setup& setup,
-                          int steps) {
-  requireValid(setup.settings);
-  for (const Support& support : setup.supports) requireValid(support);
-  const Reach reach = allClay<Side>(edit);
-  if (reach.box.empty()) return {};
-  if (!reach.whole)
-    throw Error("relax: more clay found than the working set of 16 million cells can hold");
-  Region region(tileBox(reach.box, 1 + kRoom));
-  load<Side>(region, edit);
-  PaintMoved paint(setup.stiffness);
-  paint.load<Side>(region, edit);
-  Stepper stepper(setup.settings);
-  const auto supports = placeSupports(setup.supports, scale.spacing);
-  stepper.begin(region, supports);
-  const std::vector<PlacedTool> none;
-  for (int n = 0; n < steps; ++n) {
-    StepReport report;
-    Work work{region, none, supports, {}, setup.settings, scale.iso, n, report};
-    stepper.step(work);
-  }
-  const std::vector<Key> tiles = region.takeChanged();
-  paint.store(region, tiles);
-  setup.stiffness = paint.now();
-  return store<Side>(region, tiles, edit);
-}
-
-template std::vector<KeyRun> relax(Edit<CornerBlock<1>>&, const FieldScale&, Setup&, int);
-template std::vector<KeyRun> relax(Edit<CornerBlock<8>>&, const FieldScale&, Setup&, int);
 
 }  // namespace bozzetto::clay

@@ -245,6 +245,22 @@ TEST(Promises, SlowSwellingAddsUp) {
   EXPECT_NEAR(heightAfter(1, 0.5), 0.5 * one, 0.4);
 }
 
+// Clay at rest is not gone over ten million times; what still moves is, as often as asked.
+TEST(Promises, RelaxingEndsWhereNothingChanges) {
+  const auto relaxed = [](int steps) {
+    Clay clay;
+    addSolid(clay, Shape::box, {0, 0, 0}, {6, 6, 6});
+    addSolid(clay, Shape::box, {20, 0, 0}, {1, 4, 1});
+    Setup setup;
+    Edit<CornerBlock<8>> edit(clay.tree);
+    relax<8>(edit, clay.scale, setup, steps);
+    edit.commit();
+    return fieldHash(clay);
+  };
+  EXPECT_EQ(relaxed(10'000'000), relaxed(60));
+  EXPECT_THROW(relaxed(10'000'001), Error);
+}
+
 // What the automaton loads does not depend on how much clay there is beyond its matter's way, and a
 // region that grows on the way gives what one does that had the room from the start.
 TEST(Promises, SlowTheAutomatonCostsWhatItReaches) {
@@ -273,6 +289,33 @@ TEST(Promises, SlowTheAutomatonCostsWhatItReaches) {
   const Clay c = pressed(56, true, roomy);
   EXPECT_GT(roomy, small);
   EXPECT_EQ(fieldHash(a), fieldHash(c));
+}
+
+// Nor does what it loads where it pulls, nor what comes of that.
+TEST(Promises, SlowAPullOfTheAutomatonCostsWhatItReaches) {
+  const auto pulled = [](double half, std::int64_t& cells) {
+    Clay clay;
+    addSolid(clay, Shape::box, {half, -half, half}, {half, half, half});
+    Push push = pushOf(Shape::ellipsoid, {6, 6, 6}, 1);
+    push.role = Role::grip;
+    push.setup.settings.layers = {LayerKind::automaton};
+    push.stroke.points = {{{14, -1, 14}, 1}, {{14, 4, 14}, 1}};
+    Edit<CornerBlock<8>> edit(clay.tree);
+    ClayStroke<8> stroke(edit, clay.scale, push.tool, {push.role, 1}, push.stroke, push.setup);
+    cells = 0;
+    for (std::int64_t n = 0; n < stroke.stepCount(); ++n) cells += stroke.step(n).cells;
+    stroke.finish();
+    stroke.store();
+    edit.commit();
+    return clay;
+  };
+  std::int64_t small, huge;
+  const Clay a = pulled(40, small), b = pulled(64, huge);
+  EXPECT_EQ(small, huge);
+  EXPECT_GT(a.value({14, 7, 14}), 0.5f) << "it came along";
+  for (Key key{-20, -60, -20}; key.i < 60; ++key.i)
+    for (key.j = -60; key.j < 20; ++key.j)
+      for (key.k = -20; key.k < 60; ++key.k) ASSERT_EQ(a.value(key), b.value(key)) << toText(key);
 }
 
 // The automaton pulls too: behind the grip a bar grows thinner, as a column grows thicker under a

@@ -86,9 +86,9 @@ class ClayStroke {
 extern template class ClayStroke<1>;
 extern template class ClayStroke<8>;
 
-/// Runs the layers `steps` times without a tool over all the clay; returns the keys of changed
-/// blocks, and takes the setup's painted stiffness along. Throws Error for more clay than the
-/// working set can hold.
+/// Runs the layers `steps` times without a tool over all the clay, less often where nothing changes
+/// any more; returns the keys of changed blocks, and takes the setup's painted stiffness along.
+/// Throws Error for more clay than the working set can hold, and more than 10 million steps.
 template <int Side>
 std::vector<KeyRun> relax(Edit<CornerBlock<Side>>& edit, const FieldScale& scale, Setup& setup,
                           int steps);
