@@ -119,11 +119,11 @@ void CoverPainter::holdFaces(Region& region, Axis axis) {
 
 void CoverPainter::paintMoving(Region& region, const std::vector<PlacedTool>& moving,
                                const KeyBox& within) {
-  for (auto painted = before_.rbegin(); painted != before_.rend(); ++painted) {
-    std::copy_n(painted->cover.data(), Region::kTile, &region.cover[painted->first]);
-    std::copy_n(painted->owner.data(), Region::kTile, &region.owner[painted->first]);
+  for (; !before_.empty(); before_.pop_back()) {
+    const Painted& painted = before_.back();
+    std::copy_n(painted.cover.data(), Region::kTile, &region.cover[painted.first]);
+    std::copy_n(painted.owner.data(), Region::kTile, &region.owner[painted.first]);
   }
-  before_.clear();
   region.covered.resize(staticRows_);
   for (const std::size_t cell : staticTiles_) region.enterBand(cell);
   for (std::size_t n = 0; n < moving.size(); ++n)

@@ -251,7 +251,7 @@ TEST(Promises, RelaxingEndsWhereNothingChanges) {
     Clay clay;
     addSolid(clay, Shape::box, {0, 0, 0}, {6, 6, 6});
     addSolid(clay, Shape::box, {20, 0, 0}, {1, 4, 1});
-    Setup setup;
+    clay::Setup setup;
     Edit<CornerBlock<8>> edit(clay.tree);
     relax<8>(edit, clay.scale, setup, steps);
     edit.commit();
@@ -312,7 +312,7 @@ TEST(Promises, SlowAPullOfTheAutomatonCostsWhatItReaches) {
   std::int64_t small, huge;
   const Clay a = pulled(40, small), b = pulled(64, huge);
   EXPECT_EQ(small, huge);
-  EXPECT_GT(a.value({14, 7, 14}), 0.5f) << "it came along";
+  EXPECT_GT(a.value({14, 2, 14}), 0.5f) << "it came along";
   for (Key key{-20, -60, -20}; key.i < 60; ++key.i)
     for (key.j = -60; key.j < 20; ++key.j)
       for (key.k = -20; key.k < 60; ++key.k) ASSERT_EQ(a.value(key), b.value(key)) << toText(key);
