@@ -244,11 +244,26 @@ void putOnPivot(const Sculpture& sculpture, DabPose& pose) {
   pose.position -= pose.orientation * (sculpture.pivot() * pose.radii / sculpture.halfExtents());
 }
 
+namespace {
+
+// Its pivot lies on its contact side: nothing is two cells on, or, of what is flat, no clay, though
+// edges that were smoothed fade farther.
+bool onlyTouches(const Sculpture& sculpture) {
+  const glm::dvec3 contact = sculpture.contact(), all = sculpture.halfExtents() - 1.0;
+  const double half = glm::dot(glm::abs(contact), all);
+  const double beyond = half - glm::dot(contact, sculpture.pivot());
+  if (beyond <= 2) return true;
+  if (beyond > half / 2 || half > 1.01 * std::min({all.x, all.y, all.z})) return false;
+  const glm::dvec3 at = glm::round(sculpture.centre() + sculpture.pivot() + 2.0 * contact);
+  return sculpture.clay().value({int(at.x), int(at.y), int(at.z)}) < 0.5f;
+}
+
+}  // namespace
+
 double printDepth(const Sculpture& sculpture, const glm::dvec3& radii) {
-  constexpr double touches = 2;  // cells of the tool: reliefs fade so far beyond their root
-  const glm::dvec3 contact = sculpture.contact(), along = glm::abs(contact);
+  if (!onlyTouches(sculpture)) return 0;
+  const glm::dvec3 along = glm::abs(sculpture.contact());
   const glm::dvec3 own = sculpture.halfExtents() - 1.0;
-  if (glm::dot(along, own) - glm::dot(contact, sculpture.pivot()) > touches) return 0;
   const glm::dvec3 half = own * radii / sculpture.halfExtents();
   const double most = std::max({along.x, along.y, along.z}), height = 2 * glm::dot(along, half);
   double width = height * 4;

@@ -310,6 +310,17 @@ TEST_F(Tools, startersThatPressOrCutGoIntoTheClay) {
   }
 }
 
+// What lies on a surface sinks in to print, though its smoothed edges fade below its root.
+TEST_F(Tools, aBrickPressedOncePrints) {
+  const Clay made = replayed(
+      "{\"op\":\"fill\",\"shape\":\"box\",\"center\":[0,-20,0],\"radii\":[30,20,20]}\n"
+      "{\"op\":\"tool\",\"shape\":\"freeform\",\"from\":\"shelf:brick\"}\n"
+      "{\"op\":\"action\",\"name\":\"stamp\",\"strength\":1}\n"
+      "{\"op\":\"stroke\",\"points\":[[0,0,0]],\"orient\":[\"normal\"]}");
+  EXPECT_LT(made.value({0, -1, 0}), 0.5);
+  EXPECT_GT(made.value({0, -5, 0}), 0.5);
+}
+
 TEST_F(Tools, startersStandOnSurfaces) {
   const Clay made = replayed(
       "{\"op\":\"fill\",\"radii\":[30,30,30]}\n"
