@@ -1,5 +1,7 @@
 #include "bozzetto/clay/idle.hpp"
 
+#include <utility>
+
 #include "clay/layer.hpp"
 
 namespace bozzetto::clay {
@@ -23,6 +25,16 @@ std::string idleIn(const Stroke& stroke, Role role, const Settings& settings) {
     names += std::string(names.empty() ? "" : "; ") +
              "a grip drags nothing: neither displacement nor automaton is among the layers";
   return names;
+}
+
+Stroke withoutIdle(Stroke stroke) {
+  stroke.pressure.strength = false;
+  if (!stroke.pressure.size)
+    for (StrokePoint& point : stroke.points) point.pressure = 1;
+  const Placement asked = std::exchange(stroke.placement, {});
+  stroke.placement.copies = asked.copies;
+  stroke.placement.copyStep = asked.copyStep;
+  return stroke;
 }
 
 }  // namespace bozzetto::clay

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "bozzetto/base/text.hpp"
+#include "bozzetto/clay/thin_support.hpp"
 #include "bozzetto/tool/relative.hpp"
 
 namespace bozzetto::clay {
@@ -12,19 +13,19 @@ namespace {
 
 constexpr double kThinnest = 2;  // cells
 
-glm::dvec3 widened(const Support& support, double spacing) {
-  if (support.shape == Shape::freeform) return support.radii;
-  return glm::max(support.radii, glm::dvec3(kThinnest / 2 * spacing));
-}
-
 DabPose poseOf(const Support& support, double spacing) {
   const Key origin = cellOf(support.centre, spacing, "support centre");
   return {origin, relativeTo(origin, support.centre, spacing),
           glm::mat3_cast(normalisedRotation(support.rotation)),
-          widened(support, spacing) / spacing};
+          metRadii(support, spacing) / spacing};
 }
 
 }  // namespace
+
+glm::dvec3 metRadii(const Support& support, double spacing) {
+  if (support.shape == Shape::freeform) return support.radii;
+  return glm::max(support.radii, glm::dvec3(kThinnest / 2 * spacing));
+}
 
 PlacedTool place(std::unique_ptr<Solid> solid, const DabPose& pose, Role role) {
   PlacedTool tool;
@@ -77,7 +78,7 @@ void requireInWorkspace(const Support& support, double spacing) {
 }
 
 std::string noticeOf(const Support& support, double spacing) {
-  if (widened(support, spacing) == support.radii) return {};
+  if (metRadii(support, spacing) == support.radii) return {};
   const double thickness = 2 * std::min({support.radii.x, support.radii.y, support.radii.z});
   return "support of " + numberText(thickness / spacing) +
          " cells widened to 2: clay would go through a thinner one";

@@ -130,7 +130,8 @@ void addReplay(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   command->add_option("recording", arguments->recording, "JSON Lines")->required();
   auto* from =
-      command->add_option("--from", arguments->from, "The scene to start from; empty without");
+      command->add_option("--from", arguments->from,
+                          "The scene to start from; a recording that goes on from one needs it");
   auto* out = command->add_option("-o,--out", arguments->out, "The scene to write");
   auto* on = command->add_option("--on", arguments->on,
                                  "Instead: the scene to work on in place, with its history");

@@ -13,5 +13,7 @@ void addRecover(CLI::App& app);
 void addRender(CLI::App& app);
 void addReplay(CLI::App& app);
 void addTool(CLI::App& app);
+/// Of `bozzetto tool`, which is long.
+void addToolMake(CLI::App& tool);
 
 }  // namespace bozzetto::cli

@@ -1,5 +1,6 @@
 #include "sculptor/dab_maker.hpp"
 
+#include "bozzetto/clay/idle.hpp"
 #include "bozzetto/clay/stroke.hpp"
 #include "sculptor/recall_dabs.hpp"
 
@@ -71,12 +72,17 @@ class ClayDabs final : public DabMaker<Side> {
  public:
   ClayDabs(Workbench<Side>& bench, Edit<CornerBlock<Side>>& edit, const Stroke& stroke)
       : shows_(bench.shows()),
+        idle_(clay::idleIn(stroke, clayRoleOf(bench.hand.action.kind), bench.clay.settings)),
         stroke_(edit, bench.field().scale, bench.hand.tool(bench.field().scale.spacing),
                 {clayRoleOf(bench.hand.action.kind), bench.hand.action.strength}, stroke,
                 bench.clay) {}
   void extend(std::span<const StrokePoint> points) override { stroke_.extend(points); }
   std::int64_t dabCount() const override { return stroke_.stepCount(); }
   std::int64_t sureDabs() const override { return stroke_.sureSteps(); }
+  std::string notice() const override {
+    const std::string& met = stroke_.notice();
+    return idle_ + (idle_.empty() || met.empty() ? "" : "; ") + met;
+  }
   DabReport dab(std::int64_t n) override {
     DabReport report;
     const clay::StepReport step = stroke_.step(n);
@@ -98,6 +104,7 @@ class ClayDabs final : public DabMaker<Side> {
   }
 
   bool shows_;
+  std::string idle_;
   clay::ClayStroke<Side> stroke_;
 };
 

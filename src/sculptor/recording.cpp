@@ -1,5 +1,9 @@
 #include "bozzetto/sculptor/recording.hpp"
 
+#include <fmt/format.h>
+
+#include <charconv>
+
 #include "bozzetto/base/file.hpp"
 #include "sculptor/operation_json.hpp"
 #include "sculptor/tool_notes.hpp"
@@ -9,7 +13,17 @@ namespace {
 
 constexpr int kDeepest = 8;
 
-void requireHeader(std::string_view line, const std::string& where) {
+std::uint64_t hashFrom(JsonObject& object) {
+  const std::string text = object.text("field_hash");
+  std::uint64_t hash = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), hash, 16);
+  if (error != std::errc() || end != text.data() + text.size() || text.size() != 16)
+    object.fail("field_hash", "16 hex digits");
+  return hash;
+}
+
+// The first line; what it says of where the recording goes on from.
+std::optional<RecordingStart> readHeader(std::string_view line, const std::string& where) {
   const Json json = parseJson(line, where);
   JsonObject object(json, where);
   if (!object.has("bozzetto") || object.text("bozzetto") != "recording") {
@@ -17,7 +31,10 @@ void requireHeader(std::string_view line, const std::string& where) {
   }
   const int version = object.integer("version", 0);
   if (version != 1) object.fail("version " + std::to_string(version) + " found, 1 expected");
+  std::optional<RecordingStart> start;
+  if (object.has("from")) start = RecordingStart{object.text("from"), hashFrom(object)};
   object.done();
+  return start;
 }
 
 }  // namespace
@@ -53,7 +70,7 @@ Recording parseRecording(std::string_view text, const std::string& name) {
       recording.operations.push_back(parseOperation(line, where));
       recording.places.push_back(where + ": ");
     }
-    if (!headerSeen) requireHeader(line, where);
+    if (!headerSeen) recording.start = readHeader(line, where);
     headerSeen = true;
   }
   if (!headerSeen) throw Error(name + ": empty, a recording expected");
@@ -69,7 +86,12 @@ Recording readRecording(const std::filesystem::path& path) {
 }
 
 std::string toText(const Recording& recording) {
-  std::string text = "{\"bozzetto\":\"recording\",\"version\":1}\n";
+  Json header{{"bozzetto", "recording"}, {"version", 1}};
+  if (recording.start) {
+    header["from"] = recording.start->scene;
+    header["field_hash"] = fmt::format("{:016x}", recording.start->clay);
+  }
+  std::string text = header.dump() + "\n";
   for (const Operation& operation : recording.operations) text += toText(operation) + "\n";
   return text;
 }

@@ -1,5 +1,7 @@
 #include "bozzetto/sculptor/replay.hpp"
 
+#include <set>
+
 #include "bozzetto/field/resample.hpp"
 #include "sculptor/nested_tools.hpp"
 
@@ -28,31 +30,34 @@ Recording rescaled(Recording recording, double factor) {
   return recording;
 }
 
-// Progress of one operation as a part of the whole.
+using Told = std::set<std::string, std::less<>>;
+
+// Progress of one operation as a part of the whole. What is to be known is told once.
 class Part : public Progress {
  public:
-  Part(Progress& whole, std::size_t index, std::size_t count)
-      : whole_(&whole), begin_(double(index)), count_(double(count)) {}
+  Part(Progress& whole, Told& told, std::size_t index, std::size_t count)
+      : whole_(&whole), told_(&told), begin_(double(index)), count_(double(count)) {}
   bool report(std::string_view, double done) override {
     return whole_->report("replaying", (begin_ + done) / count_);
   }
-  void note(std::string_view text) override { whole_->note(text); }
+  void note(std::string_view text) override {
+    if (told_->emplace(text).second) whole_->note(text);
+  }
 
  private:
   Progress* whole_;
+  Told* told_;
   double begin_, count_;
 };
 
-}  // namespace
-
-std::vector<OperationReport> replay(const Recording& recording, Sculptor& sculptor,
-                                    Progress& progress,
-                                    const std::function<void(std::size_t)>& done) {
+std::vector<OperationReport> run(const Recording& recording, Sculptor& sculptor, Progress& progress,
+                                 const std::function<void(std::size_t)>& done) {
   sculptor.tools().folder = recording.folder;
   std::vector<OperationReport> reports;
+  Told told;
   const std::size_t count = recording.operations.size();
   for (std::size_t n = 0; n < count; ++n) {
-    Part part(progress, n, count);
+    Part part(progress, told, n, count);
     part.step("", 0);
     try {
       reports.push_back(sculptor.apply(recording.operations[n], part));
@@ -69,8 +74,29 @@ std::vector<OperationReport> replay(const Recording& recording, Sculptor& sculpt
   return reports;
 }
 
+}  // namespace
+
+void requireStart(const Recording& recording, const Clay& clay, Progress& progress) {
+  if (!recording.start || fieldHash(clay) == recording.start->clay) return;
+  const std::string& scene = recording.start->scene;
+  const std::string where = scene.empty() ? "a scene that was not saved then" : scene;
+  if (clay.tree.empty())
+    throw Error("this recording goes on from clay that was there: no clay found, that of " + where +
+                " expected (replay --from SCENE)");
+  progress.note("this recording was made on other clay, that of " + where +
+                ": what it does here may be something else");
+}
+
+std::vector<OperationReport> replay(const Recording& recording, Sculptor& sculptor,
+                                    Progress& progress,
+                                    const std::function<void(std::size_t)>& done) {
+  requireStart(recording, sculptor.field(), progress);
+  return run(recording, sculptor, progress, done);
+}
+
 ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOptions& options,
                     Progress& progress) {
+  requireStart(recorded, from, progress);
   Clay start = from;
   clay::Stiffness stiffness = options.stiffness;
   Recording recording = recorded;
@@ -88,7 +114,7 @@ ReplayResult replay(const Recording& recorded, const Clay& from, const ReplayOpt
   sculptor.place(options.ledger);
   sculptor.tools().shelf = options.shelf;
   sculptor.tools().depth = options.depth;
-  auto reports = replay(recording, sculptor, progress);
+  auto reports = run(recording, sculptor, progress, {});
   return {sculptor.field(),         sculptor.solid(),          sculptor.tools().shelf,
           sculptor.clay().supports, sculptor.clay().stiffness, sculptor.clay().settings,
           sculptor.ledger(),        std::move(reports)};

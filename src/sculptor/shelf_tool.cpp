@@ -15,7 +15,6 @@
 namespace bozzetto {
 namespace {
 
-constexpr const char* kSetting = "tool";
 constexpr std::uint32_t kLongestNotes = 1 << 20;
 constexpr std::size_t kLongestName = 255;  // bytes: of shelf items, and of files
 
@@ -138,7 +137,7 @@ ShelfTool fromItem(const ShelfItem& item) {
 void saveTool(const std::filesystem::path& path, const ShelfTool& tool) {
   Document document;
   document.field = tool.clay;
-  document.parts.settings[kSetting] = notesOf(tool).dump();
+  document.parts.settings[kToolSetting] = notesOf(tool).dump();
   document.parts.thumbnail = tool.thumbnail;
   saveScene(path, document);
 }
@@ -149,7 +148,7 @@ ShelfTool loadTool(const std::filesystem::path& path, Progress& progress) {
   tool.name = path.stem().string();
   tool.clay = document.field;
   tool.thumbnail = document.parts.thumbnail;
-  const auto notes = document.parts.settings.find(kSetting);
+  const auto notes = document.parts.settings.find(kToolSetting);
   if (notes != document.parts.settings.end()) readNotesText(notes->second, path.string(), tool);
   return tool;
 }
@@ -184,13 +183,19 @@ std::filesystem::path userToolFile(const std::string& name) {
 }
 
 bool matches(const ToolEntry& entry, std::string_view query) {
-  std::string all = entry.name;
-  for (const std::string& tag : entry.tags) all += "\n" + tag;
-  all = lower(all);
+  const auto begins = [](const std::string& text, std::string_view word) {
+    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+      if (at == 0 || text[at - 1] == ' ' || text[at - 1] == '_' || text[at - 1] == '-') return true;
+    return false;
+  };
+  std::vector<std::string> all{lower(entry.name)};
+  for (const std::string& tag : entry.tags) all.push_back(lower(tag));
   const std::string words = lower(query);
   for (std::size_t at = words.find_first_not_of(' '); at < words.size();) {
     const std::size_t end = std::min(words.find(' ', at), words.size());
-    if (all.find(words.substr(at, end - at)) == all.npos) return false;
+    const std::string_view word = std::string_view(words).substr(at, end - at);
+    if (std::ranges::none_of(all, [&](const std::string& text) { return begins(text, word); }))
+      return false;
     at = words.find_first_not_of(' ', end);
   }
   return true;

@@ -5,6 +5,9 @@
 
 namespace bozzetto {
 
+/// What they are called among a file's settings.
+inline constexpr const char* kToolSetting = "tool";
+
 Json notesOf(const ShelfTool& tool);
 /// Adds what the notes say. Throws Error, opened by `where`, for unknown keys and wrong kinds.
 void readNotes(const Json& json, const std::string& where, ShelfTool& tool);

@@ -119,5 +119,20 @@ TEST(Recording, aMissingFileIsNamed) {
   }
 }
 
+TEST(Recording, sayWhatTheyGoOnFrom) {
+  const std::string header =
+      R"({"bozzetto":"recording","version":1,"from":"bust.bzt","field_hash":"00000000000000ff"})";
+  const Recording recording = parseRecording(header + "\n{\"op\":\"redo\",\"count\":1}\n", "r");
+  ASSERT_TRUE(recording.start);
+  EXPECT_EQ(*recording.start, (RecordingStart{"bust.bzt", 255}));
+  EXPECT_EQ(toText(recording).substr(0, header.size() + 1), header + "\n");
+  EXPECT_FALSE(parse("").start);
+  for (const char* hash : {"", "00000000000000f", "00000000000000fg", "0x000000000000ff"}) {
+    const std::string bad = std::string(R"({"bozzetto":"recording","version":1,"from":"b",)") +
+                            R"("field_hash":")" + hash + "\"}\n";
+    EXPECT_THROW(parseRecording(bad, "r"), Error) << hash;
+  }
+}
+
 }  // namespace
 }  // namespace bozzetto

@@ -240,5 +240,37 @@ TEST(Replay, faultsNameTheOperation) {
   }
 }
 
+TEST(Replay, asksForTheClayThatARecordingGoesOnFrom) {
+  const Recording ball = parse("{\"op\":\"fill\",\"shape\":\"ellipsoid\"}");
+  const Clay clay = replay(ball, {}).field;
+  Recording further = parse(R"({"op":"stroke","points":[[8,0,0]]})");
+  further.start = RecordingStart{"ball.bzt", fieldHash(clay)};
+  Listener listener;
+  EXPECT_NO_THROW(replay(further, clay, {}, listener));
+  EXPECT_TRUE(listener.notes.empty());
+  try {
+    replay(further, {});
+    FAIL() << "there is no clay";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("ball.bzt"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("--from"), std::string::npos);
+  }
+  replay(further, replay(further, clay).field, {}, listener);
+  ASSERT_EQ(listener.notes.size(), 1u);
+  EXPECT_NE(listener.notes[0].find("ball.bzt"), std::string::npos);
+}
+
+TEST(Replay, notesOnceWhatManyStrokesShare) {
+  const std::string push = R"({"op":"stroke","points":[[8,0,0]],"pressure":["strength"]})";
+  const Recording recording = parse(
+      "{\"op\":\"fill\",\"shape\":\"ellipsoid\"}\n"
+      "{\"op\":\"action\",\"name\":\"push\"}\n" +
+      push + "\n" + push);
+  Listener listener;
+  replay(recording, {}, {}, listener);
+  ASSERT_EQ(listener.notes.size(), 1u);
+  EXPECT_NE(listener.notes[0].find("pressure"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace bozzetto

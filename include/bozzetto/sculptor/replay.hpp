@@ -34,11 +34,16 @@ struct ReplayResult {
   std::vector<OperationReport> reports;  ///< one an operation
 };
 
-/// Throws Error naming the operation (counted from 1) that cannot be done.
+/// Notes that a recording was made on other clay. Throws Error where there is none.
+void requireStart(const Recording& recording, const Clay& clay,
+                  Progress& progress = Progress::none());
+
+/// Requires its start. Throws Error naming the operation (counted from 1) that cannot be done.
 ReplayResult replay(const Recording& recording, const Clay& from, const ReplayOptions& options = {},
                     Progress& progress = Progress::none());
 
-/// On a sculptor that is there already; `done` is called after each operation with its number.
+/// The same on a sculptor that is there already; `done` is called after each operation with its
+/// number.
 std::vector<OperationReport> replay(const Recording& recording, Sculptor& sculptor,
                                     Progress& progress = Progress::none(),
                                     const std::function<void(std::size_t)>& done = {});
