@@ -18,6 +18,7 @@ find_package(glfw3 3.3 REQUIRED)
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
 # Debian's imgui builds fonts with it.
 pkg_check_modules(freetype REQUIRED IMPORTED_TARGET freetype2)
+pkg_check_modules(fontconfig REQUIRED IMPORTED_TARGET fontconfig)
 pkg_check_modules(x11 REQUIRED IMPORTED_TARGET x11 xi)
 find_library(SPNAV_LIBRARY spnav REQUIRED)
 

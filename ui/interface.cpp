@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/letters.hpp"
+
 namespace bozzetto::ui {
 namespace {
 
@@ -181,7 +183,7 @@ void Interface::feed() {
 Publication Interface::frame(glm::dvec2 size, double now) {
   ImGui::SetCurrentContext(context_);
   const float scale = fittingScale(size);
-  if (scale != builtScale_) {
+  if (scale != builtScale_ || lettersAreNew()) {
     useTheme(scale);
     builtScale_ = scale;
     if (fontsChanged) fontsChanged();
@@ -231,6 +233,7 @@ void Interface::build() {
   drawRecovery(context);
   drawHelp(context);
   drawMessages(context);
+  if (lettersAreNew()) atelier_->touch();  // they show in the next frame
 }
 
 }  // namespace bozzetto::ui

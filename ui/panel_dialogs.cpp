@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include "ui/file_browser.hpp"
+#include "ui/letters.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
 
@@ -161,7 +162,7 @@ void entryLine(FileDialog& state, int n, bool& accepted) {
   ImGui::PushID(n);
   const std::string text = entry.folder ? entry.name + "/" : entry.name;
   if (ImGui::Selectable(
-          text.c_str(), state.chosen == n,
+          lettered(text), state.chosen == n,
           ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
     state.chosen = n;
     state.name = text;
@@ -254,6 +255,13 @@ void extras(FileDialog& state) {
   ImGui::PopItemWidth();
 }
 
+// A whole character: UTF-8 goes on while the top bits are 10.
+void dropFirst(std::string& text) {
+  do {
+    text.erase(0, 1);
+  } while (!text.empty() && (static_cast<unsigned char>(text[0]) & 0xC0) == 0x80);
+}
+
 void folderLine(FileDialog& state) {
   if (button("Up", {px(56), 0}, ButtonKind::plain, "The folder around this one (Backspace).")) {
     state.browser.up();
@@ -266,7 +274,7 @@ void folderLine(FileDialog& state) {
   const std::string folder = state.browser.folder().string();
   const float room = ImGui::GetContentRegionAvail().x;
   std::string text = folder;
-  while (text.size() > 4 && textWidth(fonts().regular, "…" + text) > room) text.erase(0, 1);
+  while (text.size() > 4 && textWidth(fonts().regular, "…" + text) > room) dropFirst(text);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted((text == folder ? text : "…" + text).c_str());
 }
@@ -285,6 +293,7 @@ void fileDialog(Atelier& atelier, FileDialog& state, const Purpose& purpose) {
           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {
     accepted = true;
   }
+  lettered(state.name);
   const bool typing = ImGui::IsItemActive();
   if (ImGui::IsItemEdited()) {
     state.askedToReplace = false;
@@ -312,7 +321,7 @@ void unsavedDialog(Atelier& atelier) {
   if (!beginModal("Unsaved work", {px(420), 0})) return;
   ImGui::PushTextWrapPos();
   const std::string text = "“" + atelier.title() + "” has changes that are not saved.";
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(lettered(text));
   ImGui::PopTextWrapPos();
   ImGui::Dummy({1, px(4)});
   const ImVec2 size{(ImGui::GetContentRegionAvail().x - px(16)) / 3, 0};

@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "ui/letters.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
 
@@ -39,7 +40,7 @@ void picture(ImTextureID texture, ImVec2 size) {
 void paragraph(const std::string& text, unsigned colour = tint::text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ink(colour));
   ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(lettered(text));
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }

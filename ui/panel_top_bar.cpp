@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "ui/icons.hpp"
+#include "ui/letters.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
 
@@ -17,7 +18,7 @@ void fileMenu(Atelier& atelier) {
   if (ImGui::BeginMenu("Open recent", !atelier.settings.recent.empty())) {
     const auto recent = atelier.settings.recent;
     for (const std::string& path : recent) {
-      if (ImGui::MenuItem(path.c_str())) {
+      if (ImGui::MenuItem(lettered(path))) {
         atelier.ifSaved([&atelier, path] { atelier.openScene(path); });
       }
     }

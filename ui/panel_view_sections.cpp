@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/letters.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
 
@@ -271,7 +272,7 @@ void referenceSection(Atelier& atelier) {
   for (std::size_t n = 0; n < references.size(); ++n) {
     ReferencePicture& picture = references[n].picture;
     ImGui::PushID(int(n));
-    ImGui::TextUnformatted(std::filesystem::path(references[n].from).filename().c_str());
+    ImGui::TextUnformatted(lettered(std::filesystem::path(references[n].from).filename().string()));
     if (!picture.image && button("Not found: choose again…", {ImGui::GetContentRegionAvail().x, 0},
                                  ButtonKind::plain, references[n].from.c_str())) {
       atelier.run(Command::reference);

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <filesystem>
 
+#include "ui/letters.hpp"
+
 namespace bozzetto::ui {
 namespace {
 
 Fonts theFonts;
 float theScale = 1;
+const ImWchar* theRanges = nullptr;
 
 ImVec4 paint(unsigned hex, float alpha = 1) {
   return ImGui::ColorConvertU32ToFloat4(ink(hex, alpha));
@@ -23,49 +26,64 @@ std::string firstFile(std::initializer_list<const char*> names) {
   return "";
 }
 
-ImFont* loadFace(const std::string& file, float size) {
-  // The atlas keeps the pointer.
-  static constexpr ImWchar kRanges[] = {0x20,   0x17F,  0x2010, 0x2027, 0x2190, 0x2193,
-                                        0x2212, 0x2212, 0x2248, 0x2248, 0};
+// What it lacks comes from the other files; the atlas keeps pointers to their ranges.
+ImFont* loadFace(const std::string& file, float size, const std::vector<FontFile>& others) {
   ImFontConfig config;
   config.OversampleH = config.OversampleV = 1;
   config.PixelSnapH = true;
   config.RasterizerMultiply = 1.08f;
   ImFontAtlas* atlas = ImGui::GetIO().Fonts;
-  if (file.empty()) {
-    config.SizePixels = std::floor(size * theScale);
-    return atlas->AddFontDefault(&config);
+  config.SizePixels = std::floor(size * theScale);
+  if (file.empty()) return atlas->AddFontDefault(&config);
+  ImFont* face = atlas->AddFontFromFileTTF(file.c_str(), config.SizePixels, &config, theRanges);
+  face->FallbackChar = kPlaceholder;
+  config.MergeMode = true;
+  for (const FontFile& other : others) {
+    config.FontNo = other.index;
+    atlas->AddFontFromFileTTF(other.path.c_str(), config.SizePixels, &config, other.ranges.data());
   }
-  return atlas->AddFontFromFileTTF(file.c_str(), std::floor(size * theScale), &config, kRanges);
+  return face;
 }
 
 #define BOZZETTO_INTER "/usr/share/fonts/opentype/inter/"
 #define BOZZETTO_TTF "/usr/share/fonts/truetype/"
 
-void loadFonts() {
+// Faces with the first of their files that is there.
+void loadFaces(const std::vector<FontFile>& others) {
   ImFontAtlas* atlas = ImGui::GetIO().Fonts;
   atlas->Clear();
   atlas->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   atlas->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
-  theFonts.regular = loadFace(
-      firstFile({BOZZETTO_INTER "Inter-Regular.otf", BOZZETTO_TTF "roboto/Roboto-Regular.ttf",
-                 BOZZETTO_TTF "dejavu/DejaVuSans.ttf"}),
-      15);
-  theFonts.semiBold = loadFace(
-      firstFile({BOZZETTO_INTER "Inter-SemiBold.otf", BOZZETTO_TTF "roboto/Roboto-Medium.ttf",
-                 BOZZETTO_TTF "dejavu/DejaVuSans-Bold.ttf"}),
-      14);
-  theFonts.medium = loadFace(
-      firstFile({BOZZETTO_INTER "Inter-Medium.otf", BOZZETTO_TTF "roboto/Roboto-Regular.ttf",
-                 BOZZETTO_TTF "dejavu/DejaVuSans.ttf"}),
-      12.5f);
-  theFonts.display = loadFace(
-      firstFile({BOZZETTO_INTER "InterDisplay-SemiBold.otf", BOZZETTO_INTER "Inter-SemiBold.otf",
-                 BOZZETTO_TTF "roboto/Roboto-Medium.ttf",
-                 BOZZETTO_TTF "dejavu/DejaVuSans-Bold.ttf"}),
-      18);
+  const auto load = [&](std::initializer_list<const char*> files, float size) {
+    return loadFace(firstFile(files), size, others);
+  };
+  theFonts.regular =
+      load({BOZZETTO_INTER "Inter-Regular.otf", BOZZETTO_TTF "roboto/Roboto-Regular.ttf",
+            BOZZETTO_TTF "dejavu/DejaVuSans.ttf"},
+           15);
+  theFonts.semiBold =
+      load({BOZZETTO_INTER "Inter-SemiBold.otf", BOZZETTO_TTF "roboto/Roboto-Medium.ttf",
+            BOZZETTO_TTF "dejavu/DejaVuSans-Bold.ttf"},
+           14);
+  theFonts.medium =
+      load({BOZZETTO_INTER "Inter-Medium.otf", BOZZETTO_TTF "roboto/Roboto-Regular.ttf",
+            BOZZETTO_TTF "dejavu/DejaVuSans.ttf"},
+           12.5f);
+  theFonts.display =
+      load({BOZZETTO_INTER "InterDisplay-SemiBold.otf", BOZZETTO_INTER "Inter-SemiBold.otf",
+            BOZZETTO_TTF "roboto/Roboto-Medium.ttf", BOZZETTO_TTF "dejavu/DejaVuSans-Bold.ttf"},
+           18);
   ImGui::GetIO().FontDefault = theFonts.regular;
   atlas->Build();
+}
+
+// Other fonts are asked only for letters that ours lack.
+void loadFonts() {
+  static std::vector<FontFile> others;
+  theRanges = lettersToBuild();
+  loadFaces({});
+  others = fontsWith(lettersMissing(*theFonts.regular));
+  if (!others.empty()) loadFaces(others);
 }
 
 void setColours(ImVec4* colours) {
@@ -142,24 +160,22 @@ void useTheme(float wanted) {
 }
 
 void drawText(ImDrawList* list, ImFont* font, ImVec2 at, ImU32 colour, const std::string& text) {
-  list->AddText(font, font->FontSize, {std::floor(at.x), std::floor(at.y)}, colour, text.data(),
+  list->AddText(font, font->FontSize, {std::floor(at.x), std::floor(at.y)}, colour, lettered(text),
                 text.data() + text.size());
 }
 
 float textWidth(ImFont* font, const std::string& text) {
-  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.data(), text.data() + text.size()).x;
+  const char* end = text.data() + text.size();
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, lettered(text), end).x;
 }
 
 std::string fitted(ImFont* font, std::string text, float width) {
   if (textWidth(font, text) <= width) return text;
+  // Whole characters: UTF-8 goes on while the top bits are 10.
+  const auto goesOn = [&] { return (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80; };
   while (!text.empty() && textWidth(font, text + "…") > width) {
-    // Whole characters: UTF-8 goes on while the top bits are 10.
-    do {
-      text.pop_back();
-    } while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80);
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0xC0) {
-      text.pop_back();
-    }
+    while (text.size() > 1 && goesOn()) text.pop_back();
+    text.pop_back();
   }
   return text + "…";
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/icons.hpp"
+#include "ui/letters.hpp"
 
 namespace bozzetto::ui {
 namespace {
@@ -316,7 +317,7 @@ void tooltip(const std::string& text) {
   ImGui::BeginTooltip();
   ImGui::PushFont(fonts().medium);
   ImGui::PushTextWrapPos(px(260));
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(lettered(text));
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
   ImGui::EndTooltip();
