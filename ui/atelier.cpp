@@ -98,7 +98,13 @@ Publication Atelier::poll() {
   tellSmoothing();
   feel(fresh);
   if (fresh.shelf) shelf.cards = *fresh.shelf;
-  if (fresh.taken) sculpt.take(*fresh.taken, status_.scale.spacing);
+  if (fresh.taken) {
+    // What was chosen while it came stays.
+    const ActionKind now = sculpt.action;
+    sculpt.take(*fresh.taken, status_.scale.spacing);
+    if (taking_.first && now != taking_.second) sculpt.action = now;
+    taking_.first = nullptr;
+  }
   if (!framed_ && !patches_.empty()) frameAll();
   if (!sized_ && !patches_.empty()) {
     const CellBounds& all = patches_.bounds();

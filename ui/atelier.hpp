@@ -304,6 +304,7 @@ class Atelier {
   void finishJobs(const std::vector<std::shared_ptr<LongJob>>& over);
   const LongJob* bringing() const;
   bool anotherComes();
+  bool toolComes();
   /// Short work, long work, and what brings another document.
   void ask(ClayWorker::Task task);
   void begin(const std::string& title, ClayWorker::Work work, std::function<void()> then = {});
@@ -420,7 +421,9 @@ class Atelier {
   };
   glm::dvec3 toolPlace(const GroundHit& ground) const;
   Stand standOn(const GroundHit& ground, const ToolShape& tool) const;
-  bool draggedAnchor() const { return maker_ && sculpt.placement.anchored; }
+  bool draggedAnchor() const {
+    return maker_ && sculpt.placement.anchored && !sculpt.leads(actionNow());
+  }
   ToolGhost primitiveGhost(const ToolShape& tool, const Stand& stand) const;
   ToolGhost sculptureGhost(const ToolShape& tool, const Stand& stand) const;
   void addMarks(const ToolShape& tool, const Stand& stand, Overlays& overlays) const;
@@ -440,7 +443,7 @@ class Atelier {
   bool gestureByKey_ = false, runsByKey_ = false;
   SculptState before_;
   ViewHistory views_;
-  std::optional<glm::dvec3> airPoint_;
+  std::optional<glm::dvec3> airPoint_, joinFrom_;
   std::optional<HeldTool> heldTool_;
   std::optional<StrokeMaker> maker_;
   std::optional<Camera> toldEye_;  // to the worker
@@ -451,12 +454,9 @@ class Atelier {
   glm::dvec3 handTo_{0};   // where the pointer would take it
   std::unique_ptr<FeltHand> felt_;
   std::optional<double> touched_;
-  std::optional<glm::dvec3> joinFrom_;
   SolidCurve curve_;
   std::vector<glm::dvec3> curveStart_;  // where its points were when the drag began
-  bool previewing_ = false;
-  bool heldStroke_ = false;
-  bool lassoNext_ = false;
+  bool heldStroke_ = false, lassoNext_ = false, previewing_ = false;
   std::vector<glm::dvec2> lassoPixels_;
   ViewState lassoView_;
   std::optional<Lasso> lasso_;
@@ -475,10 +475,9 @@ class Atelier {
   std::filesystem::path configFolder_;
   Settings settingsKept_;
   double settingsKeptAt_ = 0;
-  bool closing_ = false, framed_ = false, sized_ = false;
+  bool closing_ = false, framed_ = false, sized_ = false, peeking_ = false;
   std::vector<Message> messages_;
   bool discarding_ = false;  // the user said so; done when the document is left
-  bool peeking_ = false;
   std::function<void()> afterSaving_, whenSaved_;
   struct Job {
     std::shared_ptr<LongJob> job;
@@ -486,6 +485,7 @@ class Atelier {
   };
   std::vector<Job> jobs_;
   std::shared_ptr<LongJob> asked_;
+  std::pair<std::shared_ptr<LongJob>, ActionKind> taking_;  // what the hand did when it was asked
   std::function<void()> afterAsking_;
   struct MovedSupport {
     std::size_t number;

@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
+#include "bozzetto/clay/thin_support.hpp"
 #include "ui/atelier.hpp"
 
 namespace bozzetto::ui {
@@ -43,7 +44,10 @@ void Atelier::tellClay() {
 
 // In the workspace box; the first time that is shown.
 void Atelier::holdBox() {
-  if (!options.box || !options.boxSize) return run(Command::fitBox);
+  if (!options.box || !options.boxSize) {
+    say(Message::Kind::note, "This is the box: hold once more, and what is in it is held");
+    return run(Command::fitBox);
+  }
   apply(HoldOperation{options.boxSize->low, options.boxSize->high, 1});
 }
 
@@ -61,9 +65,11 @@ void Atelier::placeTable() {
   chosenSupport = status_.clay.supports.size();
 }
 
-// A sculpture stands on its pivot, as in the hand.
+// As its ghost stands there; a sculpture on its pivot.
 void Atelier::placeToolAsSupport(const glm::dvec3& at) {
-  const ToolShape tool = toolAt({at, view.back()});
+  const GroundHit ground = hover_.ground.value_or(GroundHit{at, view.back()});
+  ToolShape tool = toolAt(ground);
+  if (!heldTool_) tool.rotation = sculpt.standing(tool, ground.normal);
   SupportOperation operation{{tool.shape, at, tool.radii, tool.rotation}};
   if (tool.sculpture) {
     const glm::dvec3 pivot = tool.sculpture->pivot() / tool.sculpture->halfExtents();
@@ -142,7 +148,8 @@ void Atelier::addSupports(Overlays& overlays) const {
   const auto& supports = status_.clay.supports;
   for (std::size_t n = 0; n < supports.size(); ++n) {
     const clay::Support& support = supports[n];
-    const ToolShape shape{support.shape, Profile::box, support.radii, support.rotation};
+    const ToolShape shape{support.shape, Profile::box, clay::metRadii(support, spacing),
+                          support.rotation};
     ToolGhost ghost = support.shape == Shape::freeform
                           ? supportGhost(support, status_.supportMeshes[n], spacing)
                           : bodyOf(shape, support.centre / spacing);

@@ -9,6 +9,7 @@
 namespace bozzetto::ui {
 namespace {
 
+constexpr double kBoxRoom = 2;  // cells: clay has density beyond its surface
 constexpr double kQuarter = std::numbers::pi / 2, kStep = kQuarter / 6;
 
 struct NamedView {
@@ -385,8 +386,8 @@ void Atelier::runView(Command command) {
       return;
     case Command::fitBox:
       options.box = true;
-      options.boxSize = WorkspaceBox{patches_.bounds().low * status_.scale.spacing,
-                                     patches_.bounds().high * status_.scale.spacing};
+      options.boxSize = WorkspaceBox{(patches_.bounds().low - kBoxRoom) * status_.scale.spacing,
+                                     (patches_.bounds().high + kBoxRoom) * status_.scale.spacing};
       return;
     case Command::history:
       historyShown = !historyShown;

@@ -118,7 +118,8 @@ void Atelier::addTool(Overlays& overlays) const {
   if (!held && !hover_.ground && !sculpt.air) return;
   GroundHit ground = hover_.ground.value_or(GroundHit{hover_.air, view.back()});
   if (held) ground = heldGround();
-  const ToolShape tool = toolAt(ground);
+  const bool pushes = sculpt.leads(actionNow()) && maker_ && !held;
+  const ToolShape tool = toolAt(pushes ? maker_->start() : ground);
   if (!held) ground.position = toolPlace(ground);
   const Stand stand = standOn(ground, tool);
   overlays.tools.push_back(ghostOf(tool, stand));
@@ -199,7 +200,9 @@ void Atelier::addMarks(const ToolShape& tool, const Stand& stand, Overlays& over
 // is, and which way it lies if it follows strokes.
 Atelier::Stand Atelier::standOn(const GroundHit& ground, const ToolShape& tool) const {
   const auto turnOn = [&](const glm::dvec3& normal) {
-    return glm::dmat3(glm::mat3_cast(sculpt.standing(tool, normal)));
+    const glm::dquat turn =
+        sculpt.leads(actionNow()) ? tool.rotation : sculpt.standing(tool, normal);
+    return glm::dmat3(glm::mat3_cast(turn));
   };
   if (!draggedAnchor()) return {ground.position, turnOn(ground.normal)};
   const GroundHit& start = maker_->start();

@@ -129,7 +129,7 @@ void Atelier::combineTool(Combining how) {
   combining_.reset();
   GroundHit ground = hover_.ground.value_or(GroundHit{hover_.air, view.back()});
   const ToolShape tool = toolAt(ground);
-  ground.position += ground.normal * (sculpt.depth * sculpt.size);
+  ground.position = toolPlace(ground);
   const Sculpture& sculpture = *tool.sculpture;
   const glm::dvec3 pivot = (sculpture.centre() + sculpture.pivot()) * sculpture.scale().spacing;
   CombineOperation combine;

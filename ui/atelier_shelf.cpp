@@ -1,6 +1,7 @@
 // What is done with shelves: all of it operations, or files of the user's own library.
 #include <algorithm>
 
+#include "bozzetto/sculptor/user_tools.hpp"
 #include "ui/atelier.hpp"
 
 namespace bozzetto::ui {
@@ -73,8 +74,21 @@ void Atelier::takeTool(const ToolEntry& entry) {
     return say(Message::Kind::error, entry.name + ": " + ownerOf(meant->entry.place) +
                                          " has a tool of that name, which hides this one. "
                                          "Rename that first");
-  begin("Taking " + entry.name,
-        [source = named(entry.name)](ClayDesk& desk, Progress&) { desk.takeTool(source); });
+  if (anotherComes()) return;
+  taking_ = {worker_.start("Taking " + entry.name,
+                           [source = named(entry.name)](ClayDesk& desk, Progress&) {
+                             desk.takeTool(source);
+                           }),
+             sculpt.action};
+  whenDone(taking_.first, {});
+}
+
+// Strokes would still be those of the tool before.
+bool Atelier::toolComes() {
+  const bool comes =
+      taking_.first && std::ranges::find(jobs_, taking_.first, &Job::job) != jobs_.end();
+  if (comes) say(Message::Kind::note, taking_.first->title() + ": strokes wait until it is there");
+  return comes;
 }
 
 void Atelier::keep(ShelfKeepOperation operation, std::function<void()> then) {
@@ -184,7 +198,8 @@ void Atelier::renameTool(const ToolEntry& entry, const std::string& to,
     return say(Message::Kind::error, to + ": " + ownerOf(taken->entry.place) +
                                          " has a tool of that name. Another name is needed");
   const auto work = [entry, to, tags = std::move(tags)](ClayDesk& desk, Progress&) {
-    if (entry.place == Place::user) return desk.renameUserTool(entry.name, to);
+    if (entry.place == Place::user)
+      return desk.changeLibrary([&] { renameUserTool(entry.name, to, tags); });
     desk.apply(ShelfRenameOperation{entry.name, to, tags});
     desk.listShelf();
   };
@@ -198,7 +213,7 @@ void Atelier::renameTool(const ToolEntry& entry, const std::string& to,
 void Atelier::dropTool(const ToolEntry& entry) {
   touch();
   const auto work = [entry](ClayDesk& desk, Progress&) {
-    if (entry.place == Place::user) return desk.dropUserTool(entry.name);
+    if (entry.place == Place::user) return desk.changeLibrary([&] { dropUserTool(entry.name); });
     desk.apply(ShelfDropOperation{entry.name});
     desk.listShelf();
   };

@@ -7,7 +7,11 @@ GroundHit Atelier::heldGround() const { return {heldTool_->position, view.back()
 
 ToolShape Atelier::toolAt(const GroundHit& ground) const {
   ToolShape tool = sculpt.tool(ground.normal, view.back());
-  if (heldTool_) tool.rotation = heldTool_->rotation;
+  if (heldTool_) {
+    tool.rotation = heldTool_->rotation;
+  } else if (sculpt.leads(actionNow())) {
+    tool.rotation = sculpt.standing(tool, ground.normal);
+  }
   return tool;
 }
 
@@ -16,11 +20,15 @@ HandOperations Atelier::handAt(const GroundHit& ground) const {
 }
 
 std::optional<Press> Atelier::pressOn(const GroundHit& ground) const {
-  if (actionNow() != ActionKind::push || sculpt.recall) return std::nullopt;
+  if (actionNow() != ActionKind::push || !sculpt.leads(ActionKind::push)) return std::nullopt;
   return Press(toolAt(ground), sculpt, status_.scale.spacing);
 }
 
 void Atelier::beginStroke(double pressure) {
+  if (toolComes()) {
+    gesture_ = Gesture::none;
+    return;
+  }
   if (heldTool_ && puckMoves == Moves::tool) return beginHeldStroke();
   const StrokeMaker::Setting setting{view, extent_, status_.scale.spacing,
                                      airPoint_.value_or(view.target),
@@ -33,7 +41,7 @@ void Atelier::beginStroke(double pressure) {
     return;
   }
   tellEye();
-  worker_.post([hand = handAt(maker_->start()), stroke = sculpt.strokeFrom(*first)](
+  worker_.post([hand = handAt(maker_->start()), stroke = sculpt.strokeBy(actionNow(), *first)](
                    ClayDesk& desk) { desk.beginStroke(hand, stroke); });
 }
 
@@ -42,8 +50,10 @@ void Atelier::beginHeldStroke() {
   if (!heldTool_) heldTool_ = HeldTool{hover_.point(), sculpt.rotation};
   heldStroke_ = true;
   tellEye();
-  worker_.post([hand = handAt(heldGround()), stroke = sculpt.strokeFrom({heldTool_->position, 1})](
-                   ClayDesk& desk) { desk.beginStroke(hand, stroke); });
+  worker_.post([hand = handAt(heldGround()),
+                stroke = sculpt.strokeBy(actionNow(), {heldTool_->position, 1})](ClayDesk& desk) {
+    desk.beginStroke(hand, stroke);
+  });
 }
 
 void Atelier::continueStroke(double pressure) {
@@ -51,7 +61,7 @@ void Atelier::continueStroke(double pressure) {
     points_.push_back({heldTool_->position, 1});
   } else if (maker_) {
     const auto next = maker_->move(pointer_, pressure);
-    if (next) points_.push_back(*next);
+    if (next) points_.push_back(sculpt.pointBy(actionNow(), *next));
   }
   flushStroke();
 }

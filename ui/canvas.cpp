@@ -79,14 +79,29 @@ UnpackedPatch ballPatch(Colour colour) {
 // Pictures that we draw begin at the bottom.
 enum class Rows { fromTop, fromBottom };
 
+// Its middle: cards are square.
+Image squareOf(const Image& image) {
+  const int side = std::min(image.width, image.height);
+  const int left = (image.width - side) / 2, top = (image.height - side) / 2;
+  Image square{side, side};
+  for (int y = 0; y < side; ++y) {
+    const Image::Pixel* const row = &image.at(left, top + y);
+    std::copy_n(row, side, &square.at(0, y));
+  }
+  return square;
+}
+
+enum class Cut { whole, square };
+
 // Of a PNG; 0 for one that is damaged.
-GLuint textureOf(const Bytes& png, const std::string& name, Rows rows) {
+GLuint textureOf(const Bytes& png, const std::string& name, Rows rows, Cut cut = Cut::whole) {
   Image image;
   try {
     image = decodePng(png, name);
   } catch (const Error&) {
     return 0;
   }
+  if (cut == Cut::square) image = squareOf(image);
   for (int y = 0; rows == Rows::fromBottom && y < image.height / 2; ++y) {
     Image::Pixel* const row = &image.at(0, y);
     std::swap_ranges(row, row + image.width, &image.at(0, image.height - 1 - y));
@@ -274,7 +289,8 @@ void Canvas::Impl::uploadTools() {
   });
   for (const ShelfCard& card : cards) {
     if (!card.picture || card.picture->empty() || pictures.contains(card.pictureId)) continue;
-    pictures[card.pictureId] = asTexture(textureOf(*card.picture, card.entry.name, Rows::fromTop));
+    pictures[card.pictureId] =
+        asTexture(textureOf(*card.picture, card.entry.name, Rows::fromTop, Cut::square));
   }
 }
 

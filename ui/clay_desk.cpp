@@ -7,6 +7,7 @@
 
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/render/thumbnail.hpp"
+#include "bozzetto/sculptor/replay.hpp"
 #include "bozzetto/surface/statistics.hpp"
 #include "ui/clay_desk_parts.hpp"
 #include "ui/stiffness_shown.hpp"
@@ -51,7 +52,8 @@ void ClayDesk::relax(const ClayOperation& settings, int steps, Progress& progres
 void ClayDesk::holdOne(const Operation& wanted, std::string& held) {
   std::string text = toText(wanted);
   if (text == held) return;
-  bench().apply(wanted);
+  Telling telling(Progress::none(), *this);
+  bench().apply(wanted, telling);
   recording_.operations.push_back(wanted);
   held = std::move(text);
 }
@@ -73,6 +75,8 @@ void ClayDesk::beginStroke(const HandOperations& hand, Stroke stroke) {
   settleHand();
   hold(hand);
   stroke_ = bench().begin(std::move(stroke));
+  noticed_.clear();
+  tellNotice();
   nodesBefore_ = sculptor().field().tree.nodeCount();
   dabs_ = 0;
   grown_ = false;
@@ -80,6 +84,14 @@ void ClayDesk::beginStroke(const HandOperations& hand, Stroke stroke) {
   status_.lastEdit = {};
   status_.lastEditStep = 0;
   tellStatus();
+}
+
+// As replaying tells it: once a stroke, unless more points change it.
+void ClayDesk::tellNotice() {
+  std::string notice = stroke_->notice();
+  if (notice.empty() || notice == noticed_) return;
+  note(notice);
+  noticed_ = std::move(notice);
 }
 
 void ClayDesk::extendStroke(std::span<const StrokePoint> points) {
@@ -106,20 +118,34 @@ bool ClayDesk::grewEnough() {
 
 bool ClayDesk::dab() {
   if (!stroke_ || givesUp()) return false;
-  try {
-    if (!stroke_->dab()) return false;
-    ++dabs_;
+  const bool made = enough([&] { return stroke_->dab(); });
+  if (made) ++dabs_;
+  unshown_ |= made;
+  return made;
+}
+
+void ClayDesk::showDabs() {
+  if (!std::exchange(unshown_, false)) return;
+  enough([&] {
     show();
+    return true;
+  });
+}
+
+// Where memory ends the stroke goes.
+bool ClayDesk::enough(const std::function<bool()>& work) {
+  try {
+    return work();
   } catch (const std::bad_alloc&) {
     cancelStroke();
     throw Error("not enough memory for this stroke: a smaller tool or a coarser grid needs less");
   }
-  return true;
 }
 
 void ClayDesk::endStroke() {
   if (!stroke_) return;
   if (givesUp()) return cancelStroke();
+  tellNotice();
   status_.last = stroke_->finish();
   recording_.operations.push_back(StrokeOperation{stroke_->stroke()});
   stroke_.reset();
@@ -188,6 +214,8 @@ void ClayDesk::saveRecording(const std::filesystem::path& path) const {
 
 void ClayDesk::replay(const std::filesystem::path& path, Progress& progress) {
   const Recording recording = readRecording(path);
+  Telling telling(progress, *this);
+  requireStart(recording, sculptor().field(), telling);
   const double count = double(recording.operations.size());
   for (std::size_t n = 0; n < recording.operations.size(); ++n) {
     progress.step("replay", double(n) / count);
@@ -231,6 +259,7 @@ void ClayDesk::showAll() {
 }
 
 void ClayDesk::show() {
+  unshown_ = false;
   const SurfaceChanges changes = bench().takeChanges();
   if (changes.all || structure_ != Structure::surface) return showAll();
   if (draped_) {

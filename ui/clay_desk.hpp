@@ -70,8 +70,11 @@ class ClayDesk {
   /// The next dab whose place is sure; false when there is none. Where memory ends the stroke is
   /// taken back, with an Error.
   bool dab();
+  /// What dabs did comes into the publication: many at a time take less than each by itself.
+  void showDabs();
   void endStroke();
   void cancelStroke();
+  bool inStroke() const { return stroke_ != nullptr; }
 
   // History.
   /// How the clay of that state differs from ours.
@@ -101,8 +104,8 @@ class ClayDesk {
   void shareTool(const std::string& name, const std::filesystem::path& path);
   /// In the user's library, under that name.
   void keepForUser(const std::string& name, const std::string& as);
-  void dropUserTool(const std::string& name);
-  void renameUserTool(const std::string& name, const std::string& to);
+  /// What a change of the library's files leaves is listed.
+  void changeLibrary(const std::function<void()>& change);
 
   // Recordings.
   void saveRecording(const std::filesystem::path& path) const;
@@ -160,6 +163,8 @@ class ClayDesk {
   void undrape();
   void put(std::vector<UnpackedPatch> patches);
   void showStiffness();
+  bool enough(const std::function<bool()>& work);
+  void tellNotice();
   void hold(const HandOperations& hand);
   void holdOne(const Operation& wanted, std::string& held);
   void tellSolid(const SolidRef& solid);
@@ -182,6 +187,8 @@ class ClayDesk {
   std::size_t nodesBefore_ = 0;  // of the tree, when the stroke began
   std::int64_t dabs_ = 0;        // made of the stroke
   bool grown_ = false;           // as far as a stroke may
+  bool unshown_ = false;         // dabs that are made are not on their way to the window
+  std::string noticed_;          // told of the stroke
   std::unique_ptr<Saving> saving_;
   std::unique_ptr<Dresser> dresser_;
   /// The state that nobody has worked on: the first shape of a new document.

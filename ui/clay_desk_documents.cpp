@@ -52,6 +52,9 @@ void ClayDesk::lay(Session session) {
   session_ = std::make_unique<Session>(std::move(session));
   dresser_ = std::make_unique<Dresser>();
   recording_ = {};
+  if (!sculptor().field().tree.empty())
+    recording_.start =
+        RecordingStart{session_->path().filename().string(), fieldHash(sculptor().field())};
   heldTool_ = heldAction_ = heldClay_ = "";
   begun_.reset();
   const std::uint64_t version = status_.version + 1;
@@ -148,6 +151,7 @@ void ClayDesk::import(const ImportOperation& operation, Progress& progress, Leav
   }
   leave(leaving);
   lay(std::move(made));
+  recording_.start.reset();
   recording_.operations.push_back(operation);
   status_.last = report;
   tellStatus();

@@ -3,6 +3,7 @@
 
 #include "bozzetto/base/hash.hpp"
 #include "bozzetto/render/thumbnail.hpp"
+#include "bozzetto/sculptor/user_tools.hpp"
 #include "ui/clay_desk.hpp"
 
 namespace bozzetto::ui {
@@ -13,6 +14,21 @@ namespace fs = std::filesystem;
 void setPicture(ShelfCard& card, std::shared_ptr<const Bytes> picture) {
   card.pictureId = picture->empty() ? 1 : hash64(*picture) | 1;
   card.picture = std::move(picture);
+}
+
+// Among the user's own.
+void addDamaged(std::vector<ShelfCard>& cards) {
+  const auto own = std::ranges::find_if(
+      cards, [](const ShelfCard& card) { return card.entry.place > ToolEntry::Place::document; });
+  std::vector<ShelfCard> damaged;
+  for (DamagedTool& tool : damagedTools()) {
+    ShelfCard card{{std::move(tool.name), {}, ToolEntry::Place::user}, nullptr, 0};
+    setPicture(card, std::make_shared<const Bytes>());
+    card.trouble = std::move(tool.why);
+    damaged.push_back(std::move(card));
+  }
+  cards.insert(own, std::make_move_iterator(damaged.begin()),
+               std::make_move_iterator(damaged.end()));
 }
 
 }  // namespace
@@ -32,6 +48,7 @@ void ClayDesk::listShelf() {
     }
     cards_.push_back(std::move(card));
   }
+  addDamaged(cards_);
   // The alphabet, which is long, comes last.
   std::stable_partition(cards_.begin(), cards_.end(), [](const ShelfCard& card) {
     return std::ranges::find(card.entry.tags, "alphabet") == card.entry.tags.end();
@@ -97,30 +114,22 @@ void ClayDesk::share(ShelfTool tool, const fs::path& path) {
 }
 
 void ClayDesk::keepForUser(const std::string& name, const std::string& as) {
+  const fs::path file = userToolFile(as);
+  if (isStarter(as) && !fs::exists(file))
+    throw Error(as + ": a starter is called so, another name expected");
   ShelfTool tool = bench().tools().find(name);
   tool.name = as;
   fs::create_directories(userToolFolder());
-  share(std::move(tool), userToolFile(as));
+  share(std::move(tool), file);
   note(as + " is in your library now");
-  bench().tools().forget();
-  listShelf();
+  changeLibrary([] {});
 }
 
-void ClayDesk::dropUserTool(const std::string& name) {
-  std::error_code failed;
-  if (!fs::remove(userToolFile(name), failed))
-    throw Error(userToolFile(name).string() + ": could not be deleted");
+// Names mean other tools from now on.
+void ClayDesk::changeLibrary(const std::function<void()>& change) {
+  change();
   bench().tools().forget();
   listShelf();
-}
-
-void ClayDesk::renameUserTool(const std::string& name, const std::string& to) {
-  if (isStarter(to)) throw Error(to + ": a starter is called so, another name expected");
-  if (fs::exists(userToolFile(to))) throw Error(userToolFile(to).string() + ": exists already");
-  ShelfTool tool = loadTool(userToolFile(name));
-  tool.name = to;
-  saveTool(userToolFile(to), tool);
-  dropUserTool(name);
 }
 
 }  // namespace bozzetto::ui

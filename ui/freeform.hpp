@@ -50,6 +50,7 @@ struct ShelfCard {
   ToolEntry entry;
   std::shared_ptr<const Bytes> picture;  ///< a PNG; null: not made yet
   std::uint64_t pictureId = 0;           ///< equal for equal pictures, never 0
+  std::string trouble{};                 ///< why it cannot be used; empty where it can
 };
 
 }  // namespace bozzetto::ui

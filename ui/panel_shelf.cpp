@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/icons.hpp"
+#include "ui/letters.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
 
@@ -41,29 +42,38 @@ bool isMine(const ShelfDrawer& drawer, const std::string& name) {
   });
 }
 
+// A starter's name would mean this one in recordings: it gets another.
+void putIntoLibrary(Atelier& atelier, const ToolEntry& entry) {
+  ShelfDrawer& drawer = atelier.shelf;
+  if (isMine(drawer, entry.name)) return askAbout(drawer, Form::replaceMine, entry);
+  if (!isStarter(entry.name)) return atelier.keepForUser(entry, entry.name);
+  askAbout(drawer, Form::nameMine, entry);
+  drawer.name = freeName(drawer.cards, entry.name);
+}
+
 // What else can be done with a tool.
-void cardMenu(Atelier& atelier, const ToolEntry& entry) {
+void cardItems(Atelier& atelier, const ToolEntry& entry) {
+  ShelfDrawer& drawer = atelier.shelf;
+  if (ImGui::MenuItem("Take it")) atelier.takeTool(entry);
+  if (ImGui::MenuItem("Save as a file…")) {
+    drawer.about = entry;
+    atelier.dialog = Dialog::shareTool;
+  }
+  if (entry.place != Place::user && ImGui::MenuItem("Put into your library"))
+    putIntoLibrary(atelier, entry);
+  if (entry.place == Place::starter) return;
+  ImGui::Separator();
+  if (ImGui::MenuItem("Name and tags…")) askAbout(drawer, Form::rename, entry);
+}
+
+void cardMenu(Atelier& atelier, const ShelfCard& card) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8), px(7)});
   if (ImGui::BeginPopupContextItem("more")) {
-    ShelfDrawer& drawer = atelier.shelf;
-    if (ImGui::MenuItem("Take it")) atelier.takeTool(entry);
-    if (ImGui::MenuItem("Save as a file…")) {
-      drawer.about = entry;
-      atelier.dialog = Dialog::shareTool;
-    }
-    if (entry.place != Place::user && ImGui::MenuItem("Put into your library")) {
-      if (isMine(drawer, entry.name)) {
-        askAbout(drawer, Form::replaceMine, entry);
-      } else {
-        atelier.keepForUser(entry, entry.name);
-      }
-    }
-    if (entry.place != Place::starter) {
-      ImGui::Separator();
-      if (ImGui::MenuItem("Rename…")) askAbout(drawer, Form::rename, entry);
-      if (ImGui::MenuItem("Delete…")) askAbout(drawer, Form::remove, entry);
-    }
+    const ToolEntry& entry = card.entry;
+    if (card.trouble.empty()) cardItems(atelier, entry);
+    if (entry.place != Place::starter && ImGui::MenuItem("Delete…"))
+      askAbout(atelier.shelf, Form::remove, entry);
     if (escapes()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
@@ -76,20 +86,30 @@ bool isInHand(const Atelier& atelier, const ShelfCard& card) {
          cardNamed(atelier.shelf.cards, card.entry.name) == &card;
 }
 
-std::string tipOf(const ToolEntry& entry) {
+std::string tipOf(const ShelfCard& card) {
+  const ToolEntry& entry = card.entry;
+  if (!card.trouble.empty()) return card.trouble + "\nRight click to delete it.";
   std::string text = entry.name + "  ·  " + nameOf(entry.place);
   for (const std::string& tag : entry.tags) text += (&tag == &entry.tags[0] ? "\n" : ", ") + tag;
   return text + "\nClick to take it, right click for more.";
 }
 
+void drawCross(ImDrawList* list, ImVec2 middle, float d, ImU32 colour) {
+  list->AddLine({middle.x - d, middle.y - d}, {middle.x + d, middle.y + d}, colour, px(1.5f));
+  list->AddLine({middle.x - d, middle.y + d}, {middle.x + d, middle.y - d}, colour, px(1.5f));
+}
+
 void toolCard(const PanelContext& context, const ShelfCard& card, float side) {
   Atelier& atelier = context.atelier;
-  if (hotArea("tool", {side, side + px(18)})) atelier.takeTool(card.entry);
+  const bool usable = card.trouble.empty();
+  if (hotArea("tool", {side, side + px(18)})) {
+    usable ? atelier.takeTool(card.entry) : atelier.say(Message::Kind::error, card.trouble);
+  }
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high{low.x + side, low.y + side};
   const bool hovered = ImGui::IsItemHovered(), chosen = isInHand(atelier, card);
-  tooltip(tipOf(card.entry));
-  cardMenu(atelier, card.entry);
+  tooltip(tipOf(card));
+  cardMenu(atelier, card);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(low, high, ink(hovered ? tint::hover : tint::card), px(8));
   const auto picture = context.pictures.tools.find(card.pictureId);
@@ -97,8 +117,9 @@ void toolCard(const PanelContext& context, const ShelfCard& card, float side) {
     list->AddImageRounded(picture->second, low, high, {0, 0}, {1, 1},
                           ink(0xFFFFFF, hovered ? 1.f : .93f), px(8));
   } else {
-    drawIcon(list, Icon::shelf, {{(low.x + high.x) / 2, (low.y + high.y) / 2}, px(10)},
-             {ink(tint::faint), ink(tint::faint)});
+    const ImVec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
+    drawIcon(list, Icon::shelf, {middle, px(10)}, {ink(tint::faint), ink(tint::faint)});
+    if (!usable) drawCross(list, middle, px(16), ink(tint::dim));
   }
   if (chosen) {
     const float d = px(1);
@@ -108,7 +129,8 @@ void toolCard(const PanelContext& context, const ShelfCard& card, float side) {
   const std::string name = fitted(fonts().medium, card.entry.name, side);
   drawText(list, fonts().medium,
            {low.x + (side - textWidth(fonts().medium, name)) / 2, high.y + px(3)},
-           ink(chosen    ? tint::strong
+           ink(!usable   ? tint::faint
+               : chosen  ? tint::strong
                : hovered ? tint::text
                          : tint::dim),
            name);
@@ -142,6 +164,7 @@ void cards(const PanelContext& context) {
 bool field(const char* id, const char* hint, std::string& text, ShelfDrawer& drawer) {
   if (std::exchange(drawer.formOpened, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
+  lettered(text);
   return ImGui::InputTextWithHint(id, hint, &text, ImGuiInputTextFlags_EnterReturnsTrue);
 }
 
@@ -258,6 +281,21 @@ void replaceMineForm(Atelier& atelier) {
   atelier.keepForUser(*drawer.about, answer == Answer::both ? freeName(drawer.cards, name) : name);
 }
 
+// Of a starter's copy.
+void nameMineForm(Atelier& atelier) {
+  ShelfDrawer& drawer = atelier.shelf;
+  bool done = field("##name", "Name", drawer.name, drawer);
+  ImGui::TextWrapped("Starters keep their names: yours needs another.");
+  const float width = ImGui::GetContentRegionAvail().x;
+  done |= button("Put into your library", {width, 0}, ButtonKind::accent, "Under that name.");
+  if (!isGiven(drawer, drawer.name, done)) return;
+  if (isMine(drawer, drawer.name) || isStarter(drawer.name))
+    return atelier.say(Message::Kind::error,
+                       drawer.name + ": a tool is called so. Another name is needed");
+  atelier.keepForUser(*drawer.about, drawer.name);
+  drawer.form = Form::none;
+}
+
 void lettersForm(Atelier& atelier) {
   ShelfDrawer& drawer = atelier.shelf;
   bool done = field("##text", "Letters", drawer.text, drawer);
@@ -274,9 +312,9 @@ void lettersForm(Atelier& atelier) {
 void renameForm(Atelier& atelier) {
   ShelfDrawer& drawer = atelier.shelf;
   bool done = field("##name", "Name", drawer.name, drawer);
-  if (drawer.about->place == Place::document) done |= field("##tags", "Tags", drawer.tags, drawer);
+  done |= field("##tags", "Tags", drawer.tags, drawer);
   const float width = ImGui::GetContentRegionAvail().x;
-  done |= button("Rename", {width, 0}, ButtonKind::accent, "Gives it that name.");
+  done |= button("Rename", {width, 0}, ButtonKind::accent, "Gives it that name and these tags.");
   if (!isGiven(drawer, drawer.name, done)) return;
   atelier.renameTool(*drawer.about, drawer.name, tagsOf(drawer.tags));
   drawer.form = Form::none;
@@ -302,6 +340,8 @@ void form(Atelier& atelier) {
       return replaceForm(atelier);
     case Form::replaceMine:
       return replaceMineForm(atelier);
+    case Form::nameMine:
+      return nameMineForm(atelier);
     case Form::letters:
       return lettersForm(atelier);
     case Form::rename:
@@ -323,8 +363,10 @@ float heightOf(const ShelfDrawer& drawer) {
       return px(5 * kLine + 4);
     case Form::letters:
       return px(2 * kLine + 92);
+    case Form::nameMine:
+      return px(3 * kLine + 24);
     case Form::rename:
-      return px(3 * kLine);
+      return px(3 * kLine + 4);
     case Form::remove:
       return px(2 * kLine + 12);
     case Form::none:
@@ -364,9 +406,7 @@ void heading(Atelier& atelier) {
   const ImU32 colour = ink(ImGui::IsItemHovered() ? tint::text : tint::faint);
   tooltip(atelier.keymap, Command::shelf);
   const ImVec2 middle{at.x + width - px(9), at.y + px(11)};
-  const float d = px(4.5f);
-  list->AddLine({middle.x - d, middle.y - d}, {middle.x + d, middle.y + d}, colour, px(1.5f));
-  list->AddLine({middle.x - d, middle.y + d}, {middle.x + d, middle.y - d}, colour, px(1.5f));
+  drawCross(list, middle, px(4.5f), colour);
   ImGui::SetCursorScreenPos({at.x, at.y + px(30)});
 }
 
@@ -383,6 +423,7 @@ void drawShelf(const PanelContext& context) {
   heading(atelier);
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##find", "Search names and tags", &drawer.query);
+  lettered(drawer.query);
   int place = drawer.place ? int(*drawer.place) + 1 : 0;
   if (choice("##place", place, {"All", "Scene", "Yours", "Starters"}, "Whose tools are shown.")) {
     drawer.place.reset();

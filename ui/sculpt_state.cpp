@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "bozzetto/clay/idle.hpp"
+
 namespace bozzetto::ui {
 namespace {
 
@@ -195,6 +197,20 @@ Stroke SculptState::strokeFrom(const StrokePoint& first) const {
   stroke.placement = placement;
   if (placement.anchored) stroke.placement.jitter = {};  // printed is what was dragged
   return stroke;
+}
+
+bool SculptState::leads(ActionKind now) const {
+  return movesClay(now) && !(recall && now == action);
+}
+
+Stroke SculptState::strokeBy(ActionKind now, const StrokePoint& first) const {
+  Stroke stroke = strokeFrom(first);
+  return leads(now) ? clay::withoutIdle(std::move(stroke)) : stroke;
+}
+
+StrokePoint SculptState::pointBy(ActionKind now, StrokePoint point) const {
+  if (leads(now) && !pressureSize) point.pressure = 1;
+  return point;
 }
 
 ActionKind actionFor(ActionKind chosen, Held held) {

@@ -131,6 +131,11 @@ struct SculptState {
   ActionOperation operation(ActionKind kind) const;
   /// A stroke that starts at this point.
   Stroke strokeFrom(const StrokePoint& first) const;
+  /// Whether it moves clay: pressure is depth there, and the tool stands as the stroke began.
+  bool leads(ActionKind now) const;
+  /// The same as that action draws it: what plays no part is left out.
+  Stroke strokeBy(ActionKind now, const StrokePoint& first) const;
+  StrokePoint pointBy(ActionKind now, StrokePoint point) const;
 
  private:
   void takePlain(const ToolShape& taken, double cell);

@@ -10,7 +10,7 @@ namespace bozzetto::ui {
 
 struct ShelfDrawer {
   /// What is asked for at the bottom.
-  enum class Form { none, keep, replace, replaceMine, letters, rename, remove };
+  enum class Form { none, keep, replace, replaceMine, nameMine, letters, rename, remove };
   enum class Part { allClay, insideBox, insideLasso, toolInHand };
 
   bool open = false;

@@ -7,8 +7,8 @@
 namespace bozzetto::ui {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-constexpr auto kBetween = std::chrono::milliseconds(8);  // between dabs shown
+constexpr auto kBetween = std::chrono::milliseconds(8);  // between dabs shown, at least
+constexpr auto kLongest = std::chrono::milliseconds(60);
 
 // Calls `work`; the text of what went wrong, or nothing.
 template <class Do>
@@ -181,25 +181,40 @@ void ClayWorker::endTask() {
   wake_();
 }
 
+// Half the time is for dabs, however long it takes to show them: under load, or where a second
+// surface follows, a stroke would lag ever more behind the hand.
+void ClayWorker::show(ClayDesk& desk) {
+  const Clock::time_point began = Clock::now();
+  desk.showDabs();
+  publish(desk);
+  shown_ = Clock::now();
+  between_ = std::clamp<Clock::duration>(shown_ - began, kBetween, kLongest);
+}
+
+bool ClayWorker::isTime() const { return Clock::now() - shown_ >= between_; }
+
+// More of the stroke is on its way.
+bool ClayWorker::mayWait(const ClayDesk& desk) const {
+  if (done_ || !desk.inStroke() || isTime()) return false;
+  const std::lock_guard lock(mutex_);
+  return !tasks_.empty();
+}
+
 void ClayWorker::run() {
   ClayDesk desk;
   desk.givesUp = [this] { return givenUp_.load(); };
   publish(desk);
-  Clock::time_point shown = Clock::now();
   while (const std::optional<Task> task = next(desk)) {
     const std::string error = errorOf([&] {
       (*task)(desk);
-      while (desk.dab()) {
-        if (Clock::now() - shown < kBetween) continue;
-        publish(desk);
-        shown = Clock::now();
-      }
+      while (desk.dab())
+        if (isTime()) show(desk);
+      if (!mayWait(desk)) show(desk);
     });
     if (!error.empty()) desk.fail(error);
     desk.lookAfter();
-    publish(desk);
+    if (!mayWait(desk)) publish(desk);
     endTask();
-    shown = Clock::now();
     while (rest(desk)) {
     }
   }

@@ -1,6 +1,7 @@
 // The clay's own thread: tasks in order, finished pieces handed to the window, which never waits.
 #pragma once
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -83,6 +84,9 @@ class ClayWorker {
  private:
   void run();
   void publish(ClayDesk& desk);
+  void show(ClayDesk& desk);
+  bool isTime() const;
+  bool mayWait(const ClayDesk& desk) const;
   bool rest(ClayDesk& desk);
   std::optional<Task> next(const ClayDesk& desk);
   void endTask();
@@ -96,6 +100,9 @@ class ClayWorker {
   std::shared_ptr<LongJob> job_, done_;  // the last one; the one whose end is to be told
   bool stop_ = false, working_ = false, busy_ = false, resting_ = true;
   std::vector<std::pair<std::shared_ptr<LongJob>, Background>> beside_;
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point shown_;    // when the clay was, last
+  Clock::duration between_{};  // how long the next one waits
   std::thread thread_;
 };
 

@@ -33,8 +33,7 @@ TEST(ClayDesk, SlowClothsComeAndGoWithAStroke) {
   Stroke stroke;
   stroke.points = {{{0, 0, 60}, 1}, {{0, 0, 30}, 1}};
   desk.beginStroke(hand, stroke);
-  while (desk.dab()) {
-  }
+  while (desk.dab()) desk.showDabs();
   Publication draped = desk.take();
   EXPECT_GT(draped.heights.size(), 20u);
   EXPECT_TRUE(draped.undraped) << "of what there was before";

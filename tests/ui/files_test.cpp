@@ -4,6 +4,7 @@
 
 #include "bozzetto/base/file.hpp"
 #include "bozzetto/render/png.hpp"
+#include "bozzetto/sculptor/replay.hpp"
 #include "ui/kept_look.hpp"
 #include "ui/null_window.hpp"
 
@@ -242,6 +243,31 @@ TEST_F(Left, aToolSurvivesAKillAmongStrokes) {
   const Session session = Session::look(scene_);
   ASSERT_EQ(session.sculptor().tools().shelf.size(), 1u);
   EXPECT_EQ(session.sculptor().tools().shelf[0].name, "chisel");
+}
+
+// What was done since a scene was opened is replayed on that scene, and on nothing else.
+TEST_F(Files, aRecordingSaysWhichSceneItGoesOnFrom) {
+  atelier_.saveScene(folder_ / "bust.bzt");
+  settle();
+  atelier_.openScene(folder_ / "bust.bzt");
+  settle();
+  const Clay opened = loadScene(folder_ / "bust.bzt").field;
+  drag(middle(), middle() + glm::dvec2(60, 20));
+  const std::uint64_t worked = hash();
+  atelier_.saveRecording(folder_ / "work.jsonl");
+  settle();
+  const Recording recording = readRecording(folder_ / "work.jsonl");
+  ASSERT_TRUE(recording.start);
+  EXPECT_EQ(recording.start->scene, "bust.bzt");
+  EXPECT_EQ(fieldHash(replay(recording, opened).field), worked);
+  atelier_.run(Command::newEmpty);
+  settle();
+  atelier_.answerUnsaved(false);
+  settle();
+  atelier_.replay(folder_ / "work.jsonl");
+  settle();
+  EXPECT_TRUE(said("bust.bzt"));
+  EXPECT_EQ(steps(), 0u);
 }
 
 }  // namespace

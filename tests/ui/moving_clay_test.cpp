@@ -1,4 +1,5 @@
 // Clay that moves, in the window: layers, supports, hold, relaxing, the ledger.
+#include "bozzetto/clay/idle.hpp"
 #include "ui/null_window.hpp"
 
 namespace bozzetto::ui {
@@ -174,11 +175,19 @@ TEST_F(Moving, theDocumentKeepsWhatThePanelSays) {
 }
 
 TEST_F(Moving, theBoxIsHeldAndLetGo) {
-  atelier_.run(Command::fitBox);
+  atelier_.run(Command::holdBox);
+  ASSERT_EQ(atelier_.messages().size(), 1u) << "it is shown first";
   const std::size_t before = steps();
   atelier_.run(Command::holdBox);
   settle();
   EXPECT_EQ(steps(), before + 1);
+  atelier_.worker().post([](ClayDesk& desk) {
+    for (const auto& [key, run] : desk.sculptor().field().tree)
+      for (std::size_t n = 0; n < run.block->value.size(); ++n)
+        if (run.block->value[n] > 0) {
+          EXPECT_GT(holdOf(run.block->attributes[n]), 0) << "all of it";
+        }
+  });
   const std::uint64_t held = hash();
   drag(middle(), middle() + glm::dvec2(30, 10));
   EXPECT_EQ(hash(), held) << "held clay stays";
@@ -207,6 +216,66 @@ TEST_F(Moving, aPressSinksByAShareOfTheRadius) {
     EXPECT_NEAR(before - front(), 8 * depth, 0.8) << depth;
   }
   expectReplays();
+}
+
+// Pressure is depth: the points say what the tool did.
+TEST_F(Moving, recordingsOfPushesHoldNothingThatPlaysNoPart) {
+  atelier_.sculpt.pressureStrength = true;
+  atelier_.sculpt.placement.toNormal = true;
+  atelier_.sculpt.placement.roll = 1;
+  atelier_.sculpt.placement.copies = {2, 1, 1};
+  atelier_.sculpt.placement.copyStep = glm::dvec3(6, 0, 0);
+  drag(middle(), middle() + glm::dvec2(30, 10));
+  atelier_.worker().post([](ClayDesk& desk) {
+    const auto& last = std::get<StrokeOperation>(desk.recording().operations.back()).stroke;
+    EXPECT_FALSE(last.pressure.strength);
+    EXPECT_FALSE(last.placement.toNormal);
+    EXPECT_EQ(last.placement.copies[0], 2);
+    EXPECT_TRUE(clay::idleIn(last, clay::Role::push, {}).empty());
+  });
+  settle();
+  EXPECT_TRUE(atelier_.sculpt.placement.toNormal) << "the hand keeps it for other tools";
+  expectReplays();
+  for (const Message& message : atelier_.messages()) EXPECT_EQ(message.text, "");
+}
+
+// What the ghost shows acts: a tool that faces the surface is turned as the stroke begins.
+TEST_F(Moving, aToolThatFacesTheSurfacePushesAsItStands) {
+  atelier_.sculpt.shape = Shape::box;
+  atelier_.sculpt.placement.toNormal = true;
+  const glm::dvec2 at = middle() + glm::dvec2(60, -50);
+  moveTo(at);
+  settle();
+  const glm::dvec3 normal = atelier_.hover().ground.value().normal;
+  click(at);
+  atelier_.worker().post([&](ClayDesk& desk) {
+    const ToolShape& tool = desk.sculptor().tool();
+    EXPECT_GT(glm::dot(tool.rotation * glm::dvec3(0, 0, 1), normal), 0.999);
+  });
+  settle();
+}
+
+TEST_F(Moving, whatAStrokeIsToldIsSaid) {
+  clay::Support thin;
+  thin.radii = {30, 0.25, 30};
+  thin.centre = {0, -40, 0};
+  atelier_.apply(SupportOperation{thin});
+  settle();
+  now_ += 100;  // that message is gone
+  frame();
+  ASSERT_TRUE(atelier_.messages().empty());
+  const ToolGhost ghost = atelier_.overlays().tools.at(0);
+  EXPECT_NEAR(glm::length(glm::dvec3(ghost.cellsFromTool[1])), 1, 1e-9) << "as clay meets it";
+  click(middle());
+  ASSERT_EQ(atelier_.messages().size(), 1u);
+  EXPECT_NE(atelier_.messages()[0].text.find("support of 0.5 cells widened"), std::string::npos);
+}
+
+TEST_F(Moving, aToolThatIsWidenedIsSaid) {
+  atelier_.sculpt.size = 0.25 * atelier_.status().scale.spacing;
+  click(middle());
+  ASSERT_FALSE(atelier_.messages().empty());
+  EXPECT_NE(atelier_.messages()[0].text.find("tool radius"), std::string::npos);
 }
 
 }  // namespace

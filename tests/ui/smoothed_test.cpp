@@ -29,8 +29,7 @@ class SmoothedDesk : public ::testing::Test, protected StateFolder {
     desk_.beginStroke(hand, stroke);
     const StrokePoint next[] = {{{-14, 7, 0}, 1}, {{-10, 7, 0}, 1}};
     desk_.extendStroke(next);
-    while (desk_.dab()) {
-    }
+    while (desk_.dab()) desk_.showDabs();
   }
 
   ClayDesk desk_;
