@@ -42,8 +42,8 @@ TEST(ClayDesk, SlowClothsComeAndGoWithAStroke) {
   EXPECT_TRUE(meshed.heights.empty());
   EXPECT_TRUE(meshed.undraped);
   EXPECT_FALSE(meshed.fine.empty());
-  EXPECT_TRUE(testing::samePatches(desk.sculptor().surface(),
-                                   testing::surfaceOf(desk.sculptor().field())));
+  EXPECT_TRUE(
+      testing::samePatches(desk.sculptor().surface(), testing::surfaceOf(desk.sculptor().field())));
   // Later on top: what the window's thread did not take in time.
   draped.add(meshed);
   EXPECT_TRUE(draped.heights.empty() && draped.undraped);

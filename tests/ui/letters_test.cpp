@@ -13,8 +13,8 @@ TEST_F(Null, namesBeyondLatinAreShown) {
   EXPECT_FALSE(has(0x0416)) << "starting costs nothing for them";
   atelier_.say(Message::Kind::note, "Saved Жук, λόγος and \u05D0");
   settle();
-  for (const ImWchar letter : {0x0416, 0x0436, 0x03BB, 0x03CC})
-    EXPECT_TRUE(has(letter)) << letter << ": of Inter";
+  for (const int letter : {0x0416, 0x0436, 0x03BB, 0x03CC})
+    EXPECT_TRUE(has(ImWchar(letter))) << letter << ": of Inter";
   EXPECT_TRUE(has(0x0424)) << "the alphabet with it";
   const bool installed = !fontsWith({0x05D0}).empty();
   EXPECT_EQ(has(0x05D0), installed) << "of another font";

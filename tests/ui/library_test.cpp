@@ -1,8 +1,12 @@
 // The user's own library on the shelf: names, tags, and files that are damaged.
+#include <algorithm>
+#include <atomic>
 #include <fstream>
+#include <thread>
 
 #include "bozzetto/scene/scene_file.hpp"
 #include "bozzetto/sculptor/user_tools.hpp"
+#include "bozzetto/tool/fill.hpp"
 #include "ui/shelf_window.hpp"
 
 namespace bozzetto::ui {
@@ -25,7 +29,7 @@ TEST_F(Shelf, tagsOfTheLibrarysToolsChangeAndAllElseStays) {
   fs::create_directories(userToolFolder());
   Document document;
   Edit<CornerBlock<8>> edit(document.field.tree);
-  edit.set({0, 0, 0}, {1, 0});
+  fill<8>(edit, document.field.scale, Primitive{});
   edit.commit();
   document.parts.settings["lamp"] = "bright";
   saveScene(userToolFolder() / "bust.bzt", document);
@@ -63,6 +67,39 @@ TEST_F(Shelf, damagedFilesOfTheLibraryAreShownAndCanBeRemoved) {
   settle();
   EXPECT_EQ(card("broken"), nullptr);
   EXPECT_FALSE(fs::exists(userToolFolder() / "broken.bzt"));
+}
+
+// "letter B" means one of the alphabet, though b is somewhere in that word.
+TEST_F(Shelf, searchesMeanTheBeginningsOfWords) {
+  const auto found = [&](const char* query) {
+    return std::ranges::count_if(atelier_.shelf.cards,
+                                 [&](const ShelfCard& each) { return matches(each.entry, query); });
+  };
+  EXPECT_EQ(found("letter B"), 1);
+  EXPECT_GT(found("alph"), 20);
+  EXPECT_EQ(found("lphabet"), 0);
+}
+
+// Until it is there strokes would be those of the tool before.
+TEST_F(Shelf, strokesWaitForAToolAndAnActionChosenMeanwhileStays) {
+  const std::uint64_t before = hash();
+  moveTo(middle());
+  settle();
+  std::atomic<bool> held = true;
+  atelier_.worker().post([&](ClayDesk&) {
+    while (held) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  });
+  atelier_.takeTool(card("brick")->entry);
+  post(ButtonChanged{Button::left, true});
+  post(ButtonChanged{Button::left, false});
+  for (int n = 0; n < 4; ++n) frame();
+  EXPECT_FALSE(atelier_.messages().empty()) << "it says that it waits";
+  atelier_.setTool(ActionKind::stamp);
+  held = false;
+  settle();
+  ASSERT_TRUE(atelier_.sculpt.isFreeform());
+  EXPECT_EQ(atelier_.sculpt.action, ActionKind::stamp);
+  EXPECT_EQ(hash(), before);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ struct ToolEntry {
   Place place;
 };
 
-/// True when every word of the query is part of the name or of a tag, whatever the case.
+/// True when every word of the query begins a word of the name or of a tag, whatever the case.
 bool matches(const ToolEntry& entry, std::string_view query);
 
 /// Names and tags of the starter library.
