@@ -50,6 +50,7 @@ inline const std::map<std::string, Names> kThirdParty{
     {"imgui", {"ui"}},
     {"backends/imgui", {"ui"}},
     {"X11/", {"ui"}},
+    {"fontconfig/", {"ui"}},
     {"spnav.h", {"ui"}},
     {"Eigen/", {"clay", "solid", "haptic"}},
     {"meshoptimizer.h", {"mesh", "io", "render"}},

@@ -121,7 +121,7 @@ TEST(Recording, aMissingFileIsNamed) {
 
 TEST(Recording, sayWhatTheyGoOnFrom) {
   const std::string header =
-      R"({"bozzetto":"recording","version":1,"from":"bust.bzt","field_hash":"00000000000000ff"})";
+      R"({"bozzetto":"recording","field_hash":"00000000000000ff","from":"bust.bzt","version":1})";
   const Recording recording = parseRecording(header + "\n{\"op\":\"redo\",\"count\":1}\n", "r");
   ASSERT_TRUE(recording.start);
   EXPECT_EQ(*recording.start, (RecordingStart{"bust.bzt", 255}));
