@@ -89,21 +89,16 @@ RelaxOperation readRelax(JsonObject& object) {
 
 Json writeRelax(const RelaxOperation& relax) { return {{"steps", relax.steps}}; }
 
-bool isFreeform(JsonObject& object) {
-  return object.has("shape") && object.text("shape") == "freeform";
-}
-
 SupportOperation readSupport(JsonObject& object) {
   SupportOperation operation;
   clay::Support& support = operation.support;
   support.centre = readVector(object, "center", {0, 0, 0});
   support.rotation = readRotation(object);
-  if (!isFreeform(object)) {
-    support.shape = readShape(object);
+  support.shape = readToolShape(object);
+  if (support.shape != Shape::freeform) {
     support.radii = readVector(object, "radii", {8, 8, 8});
     return operation;
   }
-  support.shape = Shape::freeform;
   operation.source = readSource(object, "from");
   if (object.has("radii")) {
     support.radii = readRequiredVector(object, "radii");

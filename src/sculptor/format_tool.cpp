@@ -40,8 +40,8 @@ Json jsonOf(const StampOptions& stamp) {
 
 ToolOperation readTool(JsonObject& object) {
   ToolShape tool;
-  if (object.has("shape") && object.text("shape") == "freeform") return readFreeform(object);
-  tool.shape = readShape(object);
+  tool.shape = readToolShape(object);
+  if (tool.shape == Shape::freeform) return readFreeform(object);
   tool.profile = object.choice<Profile>(
       "profile", {{"wyvill", Profile::wyvill}, {"box", Profile::box}}, Profile::wyvill);
   tool.radii = readVector(object, "radii", {8, 8, 8});

@@ -18,13 +18,26 @@ glm::dquat readRotation(JsonObject& object) {
   return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
 }
 
+namespace {
+
+using ShapeNames = std::vector<std::pair<const char*, Shape>>;
+ShapeNames primitives() {
+  return {{"ellipsoid", Shape::ellipsoid},
+          {"box", Shape::box},
+          {"cylinder", Shape::cylinder},
+          {"capsule", Shape::capsule}};
+}
+
+}  // namespace
+
 Shape readShape(JsonObject& object) {
-  return object.choice<Shape>("shape",
-                              {{"ellipsoid", Shape::ellipsoid},
-                               {"box", Shape::box},
-                               {"cylinder", Shape::cylinder},
-                               {"capsule", Shape::capsule}},
-                              Shape::ellipsoid);
+  return object.choice<Shape>("shape", primitives(), Shape::ellipsoid);
+}
+
+Shape readToolShape(JsonObject& object) {
+  ShapeNames names = primitives();
+  names.emplace_back("freeform", Shape::freeform);
+  return object.choice<Shape>("shape", names, Shape::ellipsoid);
 }
 
 Colour readColour(JsonObject& object) {

@@ -52,7 +52,8 @@ WorldRegion readRegion(JsonObject& object);
 Json listOf(const WorldRegion& box);
 ToolSource readSource(JsonObject& object, const char* key);
 void writeSource(const ToolSource& source, const char* key, Json& json);
-Shape readShape(JsonObject& object);
+Shape readShape(JsonObject& object);      // a primitive
+Shape readToolShape(JsonObject& object);  // or a freeform one
 Colour readColour(JsonObject& object);
 Axis readAxis(JsonObject& object, const char* key);
 StepNumber readStep(JsonObject& object);
