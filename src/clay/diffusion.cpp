@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "clay/covered.hpp"
+#include "clay/line_of_cells.hpp"
 
 namespace bozzetto::clay {
 namespace {
@@ -20,24 +21,71 @@ float roomAt(const Region& region, std::size_t cell) {
 
 float floored(float x) { return std::floor(x / kQuantum) * kQuantum; }
 
-// Outwards of what the cell is in; where the normal has no part along an axis, a little away from
-// the tool's middle, so that walks that turn there go to both sides.
-glm::dvec3 normalAt(const Work& work, std::size_t cell) {
+// The tool, or the support, that a cell is in; null where none is.
+const PlacedTool* pushedBy(const Work& work, std::size_t cell) {
   const Key key = work.region.key(cell);
   auto first = &work.moving, second = &work.supports;
   if (work.region.owner[cell] == kStatic) std::swap(first, second);
   const bool isAlone = first->size() == 1 && second->empty();
   for (const auto* tools : {first, second})
-    for (const PlacedTool& tool : *tools) {
-      if (tool.role == Role::grip || (!isAlone && tool.cover(key) <= 0)) continue;
-      glm::dvec3 normal = tool.normal(key);
-      const Key local = key - tool.solid->cell;
-      for (const Axis axis : kAxes)
-        if (std::abs(normal[index(axis)]) < 1e-9)
-          normal[index(axis)] = local[axis] < 0 ? -1e-9 : 1e-9;
-      return normal;
-    }
-  return {0, 1, 0};
+    for (const PlacedTool& tool : *tools)
+      if (tool.role != Role::grip && (isAlone || tool.cover(key) > 0)) return &tool;
+  return nullptr;
+}
+
+// Outwards of what the cell is in; where the normal has no part along an axis, a little away from
+// the tool's middle, so that walks that turn there go to both sides.
+glm::dvec3 normalAt(const Work& work, std::size_t cell) {
+  const PlacedTool* tool = pushedBy(work, cell);
+  if (tool == nullptr) return {0, 1, 0};
+  const Key key = work.region.key(cell), local = key - tool->solid->cell;
+  glm::dvec3 normal = tool->normal(key);
+  for (const Axis axis : kAxes)
+    if (std::abs(normal[index(axis)]) < 1e-9) normal[index(axis)] = local[axis] < 0 ? -1e-9 : 1e-9;
+  return normal;
+}
+
+// −1 … 1, another for each cell; the same sixteen cells on.
+double swingOf(Key key) {
+  const auto low = [](std::int32_t n) { return static_cast<std::uint32_t>(n & 15); };
+  std::uint32_t x = low(key.i) << 8 | low(key.j) << 4 | low(key.k);
+  x = (x ^ x >> 5) * 0x9e3779b1u;
+  x = (x ^ x >> 15) * 0x85ebca6bu;
+  return static_cast<double>(x >> 16) / 32768 - 1;
+}
+
+constexpr double kSwing = 0.5;  // to either side, of the way
+constexpr double kFine = 1024;  // parts that the slope of a line is told in
+
+// Away from the middle of the tool, across an axis, as the normal of an ellipsoid in its box; on
+// its middle line anywhere.
+Key wayAside(const Work& work, std::size_t cell, Axis across) {
+  const PlacedTool* tool = pushedBy(work, cell);
+  Key way{};
+  if (tool == nullptr) return way;
+  const Key key = work.region.key(cell);
+  double aside[3] = {}, most = 0;
+  for (const Axis axis : kAxes) {
+    if (axis == across) continue;
+    const double half = 0.5 * (tool->box.high[axis] - tool->box.low[axis]);
+    const double middle = tool->box.low[axis] + half;
+    aside[index(axis)] = (key[axis] - middle) / (half * half);
+    most = std::max(most, std::abs(aside[index(axis)]));
+  }
+  const double swing = swingOf(key);
+  if (most == 0) {
+    most = 1;
+    aside[index(next(across))] = 1 - 2 * std::abs(swing);
+    aside[index(next(next(across)))] =
+        (swing < 0 ? 2 : -2) * std::min(std::abs(swing), 1 - std::abs(swing));
+  }
+  // A little to either side, or cells of one line would all come out at one place.
+  const Axis first = next(across), second = next(first);
+  const double turned[2] = {aside[index(first)] - kSwing * swing * aside[index(second)],
+                            aside[index(second)] + kSwing * swing * aside[index(first)]};
+  way[first] = static_cast<std::int32_t>(std::lround(kFine * turned[0] / most));
+  way[second] = static_cast<std::int32_t>(std::lround(kFine * turned[1] / most));
+  return way;
 }
 
 constexpr double kLeastRadius = 4;
@@ -172,8 +220,40 @@ bool Diffusion::walk(Work& work, Walk& walk, float& amount) {
   return false;
 }
 
-// Q splits over the axes by the normal; a walk that cannot go on turns to another axis, and back
-// once all have been tried, from where it left the tool (Raffin §2; algorithms.md §3).
+// Where walks along axes would all come out on four sides: across the axis by which it came, away
+// from the tool's middle; as an axis is walked along.
+bool Diffusion::walkAside(Work& work, Walk& walk, float& amount) {
+  Region& region = work.region;
+  Key way = wayAside(work, walk.from, kAxes[walk.axis]);
+  if (way == Key{}) return false;
+  if (walk.turn >= 3) way = Key{} - way;
+  LineOfCells line(way, region.strides());
+  bool leaving = isClosed(region, walk.at);
+  passed_.clear();
+  for (int n = 0; n < longest_; ++n) {
+    const std::size_t next = walk.at + line.step();
+    const bool closed = isClosed(region, next);
+    const bool isArm = walk.turn < 3 && region.owner[next] == region.owner[walk.from] &&
+                       region.owner[next] >= kMoving;
+    if (closed && !((leaving || isArm) && isOfSameKind(region, next, walk.from))) {
+      if (passed_.size() > 1) walk.at = passed_[passed_.size() - 1 - passed_.size() / 2];
+      return false;
+    }
+    leaving = closed;
+    walk.at = next;
+    if (!closed && !walk.exit) walk.exit = next;
+    if (!closed) passed_.push_back(next);
+    if (roomAt(region, walk.at) < kQuantum) continue;
+    if (!stencil_.empty()) spread(region, walk, amount);
+    leave(region, walk, amount);
+    if (amount <= 0) return true;
+  }
+  return false;
+}
+
+// Q splits over the axes by the normal; a walk that cannot go on turns aside and to another axis,
+// and back once all have been tried, from where it left the tool (Raffin §2; algorithms.md §3). The
+// paper's schemes turn to axes only.
 void Diffusion::push(Work& work, std::size_t cell) {
   Region& region = work.region;
   const float excess = region.value[cell] - (1 - region.cover[cell]);
@@ -183,6 +263,7 @@ void Diffusion::push(Work& work, std::size_t cell) {
   // Cells in turn go on along one of the two other axes, or all would come out on the same sides.
   const Key key = region.key(cell);
   const std::size_t next = 1 + ((key.i ^ key.j ^ key.k) & 1);
+  const bool turnsAside = work.settings.scheme == Scheme::projected;
   float rest = excess;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double part = std::abs(normal[static_cast<int>(axis)]) / whole;
@@ -193,6 +274,7 @@ void Diffusion::push(Work& work, std::size_t cell) {
     if (!isClosed(region, cell)) way.exit = cell;
     for (; amount > 0 && way.turn < 6; ++way.turn) {
       if (walk(work, way, amount)) break;
+      if (turnsAside && way.turn % 3 == 0 && walkAside(work, way, amount)) break;
       way.axis = (way.axis + next) % 3;
       if (way.turn != 2) continue;
       if (!way.exit) break;

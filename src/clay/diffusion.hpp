@@ -36,6 +36,7 @@ class Diffusion final : public Layer {
   void prepareStencil(const Region& region, const Settings& settings);
   void push(Work& work, std::size_t cell);
   bool walk(Work& work, Walk& walk, float& amount);
+  bool walkAside(Work& work, Walk& walk, float& amount);
   void leave(Region& region, const Walk& walk, float& amount);
   void spread(Region& region, const Walk& walk, float& amount);
 
@@ -44,6 +45,7 @@ class Diffusion final : public Layer {
   MovedCells moved_;  // since they were faired
   int longest_ = 0;   // walk of this step, in cells
   std::vector<std::uint32_t> overlapped_;
+  std::vector<std::size_t> passed_;  // outside tools, by the walk on its way
   std::vector<Neighbour> stencil_, open_;
 };
 
