@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "bozzetto/clay/settings.hpp"
 #include "clay/placed_tool.hpp"
@@ -48,6 +49,8 @@ class Layer {
   virtual void run(Work& work) = 0;
   /// After the last step of a stroke.
   virtual void finish(Work&) {}
+  /// What could not be done as it was asked for, after that; may be empty.
+  virtual std::string remark() const { return {}; }
 };
 
 std::unique_ptr<Layer> makeLayer(LayerKind kind, Scheme scheme);

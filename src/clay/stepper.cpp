@@ -36,9 +36,9 @@ class Tension final : public Layer {
       paper_.run(work);
     else
       sweepDust(work);
-    if (work.step % kCrumbInterval == kCrumbInterval - 1) crumbs_.run(work);
+    if (work.step % kCrumbInterval == kCrumbInterval - 1) crumbs_.run(work, Eaten::isPressedOut);
   }
-  void finish(Work& work) override { crumbs_.run(work); }
+  void finish(Work& work) override { crumbs_.run(work, Eaten::findsRoom); }
 
  private:
   Scheme scheme_;
@@ -72,7 +72,9 @@ std::unique_ptr<Layer> makeLayer(LayerKind kind, Scheme scheme) {
 
 Stepper::Stepper(const Settings& settings)
     : banded_(!onlyWalks(settings)),
-      travels_(runs(settings, LayerKind::diffusion) || runs(settings, LayerKind::automaton)) {
+      travels_(runs(settings, LayerKind::diffusion) || runs(settings, LayerKind::automaton)),
+      crumbles_(travels_ && settings.scheme == Scheme::projected &&
+                !runs(settings, LayerKind::tension)) {
   for (const LayerKind kind : settings.layers) layers_.push_back(makeLayer(kind, settings.scheme));
 }
 
@@ -82,9 +84,23 @@ void Stepper::begin(Region& region, const std::vector<PlacedTool>& supports) {
   painter_.paintStatic(region, supports);
 }
 
+void Stepper::leave(Work& work) {
+  if (crumbles_) crumbs_.run(work, Eaten::findsRoom);
+}
+
 void Stepper::finish(Work& work) {
+  leave(work);
   for (const auto& layer : layers_) layer->finish(work);
   work.region.refreshRows();
+}
+
+std::string Stepper::remark() const {
+  std::string all;
+  for (const auto& layer : layers_) {
+    const std::string one = layer->remark();
+    if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
+  }
+  return all;
 }
 
 void Stepper::paint(Region& region, const std::vector<PlacedTool>& moving) {

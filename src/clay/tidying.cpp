@@ -212,17 +212,45 @@ void CrumbEater::eat(Work& work, std::uint32_t piece) {
     region.touch(cell);
   }
   region.touch(target);
+  eaters_.push_back(target);
   ++work.report.crumbs;
 }
 
-void CrumbEater::run(Work& work) {
+// What is more than full goes on, ring by ring, to cells with room that touch clay.
+void CrumbEater::settle(Work& work, std::size_t target) {
+  Region& region = work.region;
+  const auto room = [&](std::size_t cell) { return 1 - region.cover[cell] - region.value[cell]; };
+  ring_.assign(1, static_cast<std::uint32_t>(target));
+  region.mark2[target] = 1;
+  for (std::size_t n = 0; n < ring_.size() && room(target) < 0; ++n) {
+    if (region.value[ring_[n]] < kDense) continue;
+    for (const std::ptrdiff_t step : region.neighbours()) {
+      const std::size_t next = ring_[n] + step;
+      if (region.mark2[next] != 0 || isClosed(region, next) || region.owner[next] == kRim) continue;
+      region.mark2[next] = 1;
+      ring_.push_back(static_cast<std::uint32_t>(next));
+      const float most = std::min(-room(target), room(next));
+      const float amount = std::floor(most / kQuantum) * kQuantum;
+      if (amount <= 0) continue;
+      region.carry(target, next, amount);
+      region.touch(next);
+    }
+  }
+  for (const std::uint32_t cell : ring_) region.mark2[cell] = 0;
+}
+
+void CrumbEater::run(Work& work, Eaten eaten) {
   if (work.settings.crumb <= 1) return;
   pieces_.find(work.region, work.iso);
   const auto& runs = pieces_.runs();
   cellsOf_.assign(runs.size(), 0);
+  eaters_.clear();
   for (const Pieces::Run& run : runs) cellsOf_[run.root] += run.count;
   for (std::uint32_t n = 0; n < runs.size(); ++n)
     if (runs[n].root == n && isCrumb(work, n)) eat(work, n);
+  // Not before: a crumb may have eaten another, and goes with it.
+  for (const std::size_t eater : eaters_)
+    if (eaten == Eaten::findsRoom) settle(work, eater);
 }
 
 }  // namespace bozzetto::clay

@@ -9,14 +9,19 @@ namespace bozzetto::clay {
 /// Cells of less than 0.05 that have no dense neighbour join their densest one.
 void sweepDust(Work& work);
 
+/// What becomes of a crumb's matter: excess that a layer will press out, or it goes to the nearest
+/// room beside clay at once.
+enum class Eaten { isPressedOut, findsRoom };
+
 class CrumbEater {
  public:
   /// Pieces of fewer than `settings.crumb` cells become excess of the nearest dense cell; where
   /// clay parts, so do shreds: fewer cells than that squared, nowhere a cube of 3³.
-  void run(Work& work);
+  void run(Work& work, Eaten eaten);
 
  private:
   void eat(Work& work, std::uint32_t piece);
+  void settle(Work& work, std::size_t target);
   bool isCrumb(const Work& work, std::uint32_t piece) const;
   bool isThin(const Work& work, std::uint32_t piece) const;
   bool isWhole(const Region& region, std::uint32_t piece) const;
@@ -24,6 +29,7 @@ class CrumbEater {
 
   Pieces pieces_;
   std::vector<std::int32_t> cellsOf_;
+  std::vector<std::size_t> eaters_;
   std::vector<std::uint32_t> crumb_, ring_, next_;
 };
 

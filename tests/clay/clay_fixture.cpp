@@ -27,19 +27,21 @@ struct Dense {
   }
 };
 
-int countPieces(const Dense& d, float iso) {
+// How many cells each piece has.
+std::vector<int> sizesOfPieces(const Dense& d, float iso) {
   std::vector<std::uint8_t> seen(d.value.size(), 0);
   std::vector<std::size_t> open;
   const std::ptrdiff_t steps[6] = {1, -1, d.nk, -d.nk, d.nj * d.nk, -d.nj * d.nk};
-  int pieces = 0;
+  std::vector<int> sizes;
   for (std::size_t n = 0; n < seen.size(); ++n) {
     if (seen[n] != 0 || d.value[n] < iso) continue;
-    ++pieces;
+    sizes.push_back(0);
     open.push_back(n);
     seen[n] = 1;
     while (!open.empty()) {
       const std::size_t cell = open.back();
       open.pop_back();
+      ++sizes.back();
       for (const std::ptrdiff_t step : steps) {
         const std::size_t next = cell + step;
         if (seen[next] != 0 || d.value[next] < iso) continue;
@@ -48,7 +50,7 @@ int countPieces(const Dense& d, float iso) {
       }
     }
   }
-  return pieces;
+  return sizes;
 }
 
 // Part of a cell's cube inside iso, by 27 trilinear samples.
@@ -115,9 +117,15 @@ Measures measure(const Clay& clay) {
   result.centre /= result.mass;
   for (std::size_t n = 0; n + d.nj * d.nk + d.nk + 1 < d.value.size(); ++n)
     result.volume += insideOf(d, n, iso);
-  result.pieces = countPieces(d, iso);
+  result.pieces = static_cast<int>(sizesOfPieces(d, iso).size());
   result.thickness = meanThickness(d, iso);
   return result;
+}
+
+int piecesBelow(const Clay& clay, int cells) {
+  int count = 0;
+  for (const int size : sizesOfPieces(Dense(clay), clay.scale.iso)) count += size < cells ? 1 : 0;
+  return count;
 }
 
 std::int64_t cleanCorners(const Clay& clay) {

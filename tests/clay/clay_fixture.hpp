@@ -47,6 +47,9 @@ struct Measures {
 
 Measures measure(const Clay& clay);
 
+/// Pieces of fewer cells than that.
+int piecesBelow(const Clay& clay, int cells);
+
 /// Corners that a clean body of this shape would store: those inside, and one ring of 26.
 std::int64_t cleanCorners(const Clay& clay);
 

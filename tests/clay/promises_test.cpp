@@ -373,20 +373,25 @@ TEST(Promises, NothingTunnelsThroughTwoCells) {
 }
 
 // 200 pushes at random leave no crumb and no dust.
-// Two hundred pushes of a ball, from somewhere round it to 12 cells from where its middle was.
-void pushAbout(Clay& clay, double from) {
+// Pushes of a ball, from somewhere round it to 12 cells from where its middle was.
+void pushAbout(Clay& clay, double from, int pushes, const Settings& settings) {
   std::uint32_t state = 11;
   const auto random = [&] {
     state = state * 1664525u + 1013904223u;
     return static_cast<double>(state >> 8) / (1 << 24) * 2 - 1;
   };
-  for (int n = 0; n < 200; ++n) {
+  for (int n = 0; n < pushes; ++n) {
     Push push = pushOf(Shape::ellipsoid, {3, 3, 3}, 0.3);
+    push.setup.settings = settings;
     glm::dvec3 way(random(), random(), random());
     way *= 1 / std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z + 1e-9);
     push.stroke.points = {{way * from, 1}, {way * 12.0, 1}};
     run(clay, push);
   }
+}
+
+void pushAbout(Clay& clay, double from) {
+  pushAbout(clay, from, 200, pushOf(Shape::ellipsoid, {3, 3, 3}, 0.3).setup.settings);
 }
 
 void expectNoCrumbAndNoDust(const Clay& clay, const Measures& before) {
@@ -404,6 +409,20 @@ TEST(Promises, SlowTwoHundredPushesLeaveNoCrumbAndNoDust) {
   const Measures before = measure(clay);
   pushAbout(clay, 15);
   expectNoCrumbAndNoDust(clay, before);
+}
+
+// Sixty pushes from all sides with one layer that sends matter far leave one piece.
+TEST(Promises, SlowLayersThatSendMatterFarLeaveNoCrumbs) {
+  for (const LayerKind layer : {LayerKind::diffusion, LayerKind::automaton}) {
+    Clay clay;
+    addSolid(clay, Shape::ellipsoid, {0, 0, 0}, {11, 11, 11});
+    const Measures before = measure(clay);
+    pushAbout(clay, 15, 60, running({layer}));
+    const Measures after = measure(clay);
+    EXPECT_NEAR(after.mass / before.mass, 1, 1e-6) << toText(layer);
+    EXPECT_EQ(piecesBelow(clay, Settings{}.crumb), 0) << toText(layer);
+    EXPECT_LT(after.densest, 2) << toText(layer);
+  }
 }
 
 // A free ball that is pushed about stays the ball it was.
