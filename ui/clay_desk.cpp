@@ -147,6 +147,7 @@ void ClayDesk::endStroke() {
   if (givesUp()) return cancelStroke();
   tellNotice();
   status_.last = stroke_->finish();
+  tellNotice();  // what the clay could not do
   recording_.operations.push_back(StrokeOperation{stroke_->stroke()});
   stroke_.reset();
   undrape();

@@ -22,6 +22,8 @@ bool shareBlock(Region& region, const std::array<std::size_t, 8>& cells,
 class Automaton final : public Layer {
  public:
   void run(Work& work) override;
+  void finish(Work& work) override { swelling_.finish(work); }
+  std::string remark() const override { return swelling_.remark(); }
 
  private:
   void sweepOut(Work& work);

@@ -1,27 +1,19 @@
 #include "clay/evening.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace bozzetto::clay {
 namespace {
 
 constexpr float kFull = 0.995f;  // less lacks
 
-bool isInside(const Region& region, std::size_t cell) {
-  const bool fixed = region.hold[cell] == kFixed || region.owner[cell] >= kMoving;
-  if (region.value[cell] < 0.5f || fixed || region.cover[cell] > 0) return false;
-  for (const std::ptrdiff_t step : region.neighbours())
-    if (region.value[cell + step] < 0.5f) return false;
-  return true;
-}
-
-using Block = std::array<std::size_t, 8>;
-
 // Those that hold more than the mean give to those that hold less.
-void evenOut(Region& region, const Block& cells) {
+void evenOut(Region& region, std::span<const std::size_t> cells) {
   float sum = 0;
   for (const std::size_t cell : cells) sum += region.value[cell];
-  const float mean = quantised(sum / 8);
+  const float mean = quantised(sum / static_cast<float>(cells.size()));
   for (const std::size_t giver : cells)
     for (const std::size_t taker : cells) {
       const float amount = std::min(region.value[giver] - mean, mean - region.value[taker]);
@@ -30,6 +22,14 @@ void evenOut(Region& region, const Block& cells) {
 }
 
 }  // namespace
+
+bool isInside(const Region& region, std::size_t cell) {
+  const bool fixed = region.hold[cell] == kFixed || region.owner[cell] >= kMoving;
+  if (region.value[cell] < 0.5f || fixed || region.cover[cell] > 0) return false;
+  for (const std::ptrdiff_t step : region.neighbours())
+    if (region.value[cell + step] < 0.5f) return false;
+  return true;
+}
 
 void Evening::listLacking(const Region& region) {
   tiles_.clear();
@@ -65,7 +65,7 @@ void Evening::forget(Region& region) {
   }
 }
 
-// Cells beyond the tiles have no mark: blocks that reach over there stay as they are.
+// Of each block the cells inside; those beyond the tiles have no mark.
 void Evening::sweep(Region& region, int parity) {
   const auto& step = region.strides();
   parallelFor(tiles_.size(), 8, [&](std::size_t begin, std::size_t end) {
@@ -74,13 +74,13 @@ void Evening::sweep(Region& region, int parity) {
         const Key low =
             tiles_[t] + Key{n / 16 * 2 + parity, n / 4 % 4 * 2 + parity, n % 4 * 2 + parity};
         const std::size_t first = region.index(low);
-        Block cells;
-        bool inside = true;
+        std::array<std::size_t, 8> cells;
+        std::size_t count = 0;
         for (std::size_t c = 0; c < 8; ++c) {
-          cells[c] = first + (c >> 2) * step[0] + (c >> 1 & 1) * step[1] + (c & 1);
-          inside = inside && region.mark[cells[c]] != 0;
+          const std::size_t cell = first + (c >> 2) * step[0] + (c >> 1 & 1) * step[1] + (c & 1);
+          if (region.mark[cell] != 0) cells[count++] = cell;
         }
-        if (inside) evenOut(region, cells);
+        if (count > 1) evenOut(region, {cells.data(), count});
       }
   });
 }

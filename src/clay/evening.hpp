@@ -7,6 +7,9 @@
 
 namespace bozzetto::clay {
 
+/// Clay that is not held, with clay on all six sides and no tool in it.
+bool isInside(const Region& region, std::size_t cell);
+
 class Evening {
  public:
   /// So many sweeps over the tiles in which something lacks. Clay inside does not fall below a

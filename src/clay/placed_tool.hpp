@@ -23,9 +23,10 @@ struct PlacedTool {
   KeyBox box;  ///< corners it may cover
   Role role = Role::push;
   Motion motion;
-  double radius = 1, smallest = 1;  ///< the largest and the smallest, in cells
-
-  float strength = 0;  ///< of swelling
+  double radius = 1;    ///< the largest, in cells
+  double core = 1;      ///< how deep in it its core begins, in cells
+  glm::dvec3 stand{0};  ///< where its middle, or the pivot of a sculpture, is; from solid->cell
+  float strength = 0;   ///< of swelling
 
   /// Part of the cell that the tool takes, 0 … 1 over one cell across its surface.
   float cover(Key key) const;

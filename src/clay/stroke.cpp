@@ -181,10 +181,20 @@ struct ClayStroke<Side>::State {
 
   // A freeform tool stands on its pivot.
   PlacedTool placeAt(DabPose pose) const {
+    const glm::dvec3 stand = pose.position;
+    PlacedTool placed = placeSolid(pose);
+    const Key cell = placed.solid->cell - pose.origin;
+    placed.stand = stand - glm::dvec3(cell.i, cell.j, cell.k);
+    return placed;
+  }
+
+  PlacedTool placeSolid(DabPose pose) const {
     if (tool.shape != Shape::freeform) return place(makeSolid(tool.shape, pose), pose, doing.role);
     const Sculpture& sculpture = *tool.sculpture;
     pose.position -= pose.orientation * (sculpture.pivot() * pose.radii / sculpture.halfExtents());
-    return place(makeSolid(tool.sculpture, pose), pose, doing.role);
+    PlacedTool placed = place(makeSolid(tool.sculpture, pose), pose, doing.role);
+    if (doing.role == Role::swell) placed.core = coreDepth(sculpture, pose);
+    return placed;
   }
 
   // The tool and its images after `now` steps, moved since `before`. A grip leads what it holds by
@@ -231,6 +241,7 @@ struct ClayStroke<Side>::State {
     KeyBox needed = box;
     if (fluid()) needed = grown(box, margin());
     if (region && within(needed, region->inner()) && !(whole && region->reachesRim())) return;
+    if (region) atRest([&](Work& work) { stepper.leave(work); });
     load(reachOf(box), needed);
   }
 
@@ -306,6 +317,15 @@ struct ClayStroke<Side>::State {
     Work work{*region, tools, supports, origin, setup.settings, iso, n, report};
     if (!whole) work.widen = [&](const KeyBox& box) { return widen(box, tools); };
     stepper.step(work);
+  }
+
+  // Between steps, without the moving tools.
+  template <class Callback>
+  void atRest(const Callback& callback) {
+    const std::vector<PlacedTool> none;
+    StepReport report;
+    Work work{*region, none, supports, origin, setup.settings, iso, 0, report};
+    callback(work);
   }
 
   // In the middle of a step. Too much is left as it is: clay beyond counts as held.
@@ -384,18 +404,10 @@ StepReport ClayStroke<Side>::step(std::int64_t n) {
 
 template <int Side>
 void ClayStroke<Side>::finish() {
+  state_->notice.clear();
   if (!state_->region) return;
-  const std::vector<PlacedTool> none;
-  StepReport report;
-  Work work{*state_->region,
-            none,
-            state_->supports,
-            state_->origin,
-            state_->setup.settings,
-            state_->iso,
-            0,
-            report};
-  state_->stepper.finish(work);
+  state_->atRest([&](Work& work) { state_->stepper.finish(work); });
+  state_->notice = state_->stepper.remark();
 }
 
 template <int Side>

@@ -33,7 +33,7 @@ PlacedTool place(std::unique_ptr<Solid> solid, const DabPose& pose, Role role) {
   tool.box = grown(dabBox(pose), 1);
   tool.role = role;
   tool.radius = std::max({pose.radii.x, pose.radii.y, pose.radii.z});
-  tool.smallest = std::min({pose.radii.x, pose.radii.y, pose.radii.z});
+  tool.core = std::min({pose.radii.x, pose.radii.y, pose.radii.z});
   return tool;
 }
 

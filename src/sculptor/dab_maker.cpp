@@ -81,6 +81,7 @@ class ClayDabs final : public DabMaker<Side> {
   std::int64_t sureDabs() const override { return stroke_.sureSteps(); }
   std::string notice() const override {
     const std::string& met = stroke_.notice();
+    if (finished_) return met;
     return idle_ + (idle_.empty() || met.empty() ? "" : "; ") + met;
   }
   DabReport dab(std::int64_t n) override {
@@ -93,6 +94,7 @@ class ClayDabs final : public DabMaker<Side> {
   }
   std::vector<ChangedRun> finish() override {
     stroke_.finish();
+    finished_ = true;
     return stored();
   }
   std::optional<clay::Stiffness> stiffness() override { return stroke_.stiffness(); }
@@ -103,7 +105,7 @@ class ClayDabs final : public DabMaker<Side> {
     return {runs.begin(), runs.end()};
   }
 
-  bool shows_;
+  bool shows_, finished_ = false;
   std::string idle_;
   clay::ClayStroke<Side> stroke_;
 };

@@ -12,6 +12,8 @@ void run(const StrokeOperation& operation, Workbench<Side>& bench, const Telling
   const auto count = static_cast<double>(stroke.plannedDabs());
   for (double n = 0; stroke.dab(); ++n) telling.progress.step("stroke", n / count);
   telling.report = stroke.finish();
+  const std::string remark = stroke.notice();
+  if (!remark.empty() && remark != notice) telling.progress.note(remark);
 }
 
 BOZZETTO_RUNS(StrokeOperation);

@@ -15,6 +15,7 @@
 namespace bozzetto {
 namespace {
 
+constexpr double kLeastCore = 0.25;  // cells
 constexpr double kMostNodes = 160, kMargin = 3;
 constexpr int kOrders = 16;  // distances round corners of the tool come right in the second round
 
@@ -76,6 +77,18 @@ void SculptedDistance::find(const std::vector<float>& density, float iso) {
   sweepDistances(size_, known, kOrders, distance_);
   for (std::size_t n = 0; n < density.size(); ++n)
     if (density[n] >= iso) distance_[n] = -distance_[n];
+  findDepths();
+}
+
+void SculptedDistance::findDepths() {
+  double sum = 0, count = 0;
+  for (const float distance : distance_) {
+    if (distance >= 0) continue;
+    const double depth = -static_cast<double>(distance) * spacing_;
+    deepest_ = std::max(deepest_, depth);
+    sum += depth, ++count;
+  }
+  if (count > 0) meanDepth_ = sum / count;
 }
 
 double SculptedDistance::at(const glm::dvec3& place) const {
@@ -130,6 +143,13 @@ class SculptedSolid final : public Solid {
 };
 
 }  // namespace
+
+double coreDepth(const Sculpture& sculpture, const DabPose& pose) {
+  const glm::dvec3 scale = pose.radii / sculpture.halfExtents();
+  const SculptedDistance& distance = sculpture.distance();
+  const double depth = std::min(distance.deepest(), 3 * distance.meanDepth());
+  return std::max(kLeastCore, depth * std::min({scale.x, scale.y, scale.z}));
+}
 
 std::unique_ptr<Solid> makeSolid(std::shared_ptr<const Sculpture> sculpture, const DabPose& pose) {
   return std::make_unique<SculptedSolid>(std::move(sculpture), pose);

@@ -16,6 +16,9 @@ class SculptedDistance {
   /// At a place in the sculpture's cells from its centre; negative inside. Grows linearly outside
   /// the grid.
   double at(const glm::dvec3& place) const;
+  /// How deep its nodes inside are at most, and on the mean; in cells of the sculpture.
+  double deepest() const { return deepest_; }
+  double meanDepth() const { return meanDepth_; }
 
  private:
   std::size_t index(int i, int j, int k) const {
@@ -25,11 +28,13 @@ class SculptedDistance {
   }
   std::vector<float> densities(const Sculpture& sculpture) const;
   void find(const std::vector<float>& density, float iso);
+  void findDepths();
 
   std::array<int, 3> size_{};
   double spacing_ = 1;           // cells of the sculpture between nodes
   glm::dvec3 low_{0};            // first node, in cells from the centre
   std::vector<float> distance_;  // in nodes
+  double deepest_ = 0, meanDepth_ = 0;
 };
 
 }  // namespace bozzetto

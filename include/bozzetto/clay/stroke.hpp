@@ -63,7 +63,7 @@ class ClayStroke {
 
   std::int64_t stepCount() const;
   std::int64_t sureSteps() const;     ///< those that `extend` cannot move
-  const std::string& notice() const;  ///< about the tool and supports; may be empty
+  const std::string& notice() const;  ///< of tool, supports; once finished, of the clay; or empty
 
   /// Makes the n-th step; they are made in order. O(clay within reach).
   StepReport step(std::int64_t n);

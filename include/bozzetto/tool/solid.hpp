@@ -26,4 +26,9 @@ std::unique_ptr<Solid> makeSolid(Shape shape, const DabPose& pose);
 /// distances are made when nobody did before.
 std::unique_ptr<Solid> makeSolid(std::shared_ptr<const Sculpture> sculpture, const DabPose& pose);
 
+/// How deep, in cells, the core of a sculpture begins at this pose: no deeper than it is anywhere,
+/// and three times its mean depth at most, so that thin arms beside a thick middle count too. Of a
+/// ball the outer three quarters of the radius, of a plate half its thickness.
+double coreDepth(const Sculpture& sculpture, const DabPose& pose);
+
 }  // namespace bozzetto
