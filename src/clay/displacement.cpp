@@ -203,7 +203,10 @@ void Displacement::run(Work& work) {
   if (!leads || work.moving.empty()) return;
   findCosts(work);
   findDistances(work);
-  if (carrying_.run(work, pieces_)) return;
+  if (carrying_.run(work, pieces_)) {
+    pushedWhole_ = pushedWhole_ || !work.grips();
+    return;
+  }
   findFollowing(work);
   for (auto& axis : region.wish)
     forRows(region.rows(), [&](const Row& row) { std::fill_n(&axis[row.base], row.count, 0.0f); });
@@ -218,6 +221,12 @@ void Displacement::run(Work& work) {
         axis[n] *= static_cast<float>(kFixed - region.hold[n]) * (1.0f / kFixed);
     });
   region.wished = true;
+}
+
+std::string Displacement::remark() const {
+  if (!pushedWhole_) return {};
+  return "nothing holds this clay: it was pushed along, whole (hold it, or put a support behind "
+         "it)";
 }
 
 }  // namespace bozzetto::clay

@@ -10,6 +10,8 @@ class Displacement : public Layer {
  public:
   /// Carries what is free; else leaves in the region's `wish` how far each cell wants to move.
   void run(Work& work) override;
+  /// That a push carried a piece along, whole.
+  std::string remark() const override;
 
  private:
   void findCosts(Work& work);
@@ -22,6 +24,7 @@ class Displacement : public Layer {
 
   Pieces pieces_;
   Carrying carrying_;
+  bool pushedWhole_ = false;            // in this stroke
   std::vector<PseudoDistance> path_;    // of each moving tool, then of the static ones
   std::vector<Cells<float>> distance_;  // likewise
   std::vector<std::vector<Contact>> contacts_;

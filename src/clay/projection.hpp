@@ -9,7 +9,7 @@ namespace bozzetto::clay {
 
 /// From the last step's pressure: cycles of sweeps and corrections on coarser cells.
 struct SolverOptions {
-  int cycles = 1;
+  int cycles = 2;
   int before = 1, after = 2;  ///< red-black sweeps; the last without over-relaxation
 };
 

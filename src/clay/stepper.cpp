@@ -4,6 +4,7 @@
 #include "clay/clearing.hpp"
 #include "clay/diffusion.hpp"
 #include "clay/displacement.hpp"
+#include "clay/drawing.hpp"
 #include "clay/paper.hpp"
 #include "clay/projection.hpp"
 #include "clay/tidying.hpp"
@@ -21,11 +22,13 @@ class Conservation final : public Layer {
     clearing_.run(work);
     projection_.run(work);
     transport(work);
+    drawing_.run(work);
   }
 
  private:
   Clearing clearing_;
   Projection projection_;
+  Drawing drawing_;
 };
 
 class Tension final : public Layer {

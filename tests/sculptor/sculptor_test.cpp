@@ -272,5 +272,22 @@ TEST(Replay, notesOnceWhatManyStrokesShare) {
   EXPECT_NE(listener.notes[0].find("pressure"), std::string::npos);
 }
 
+TEST(Replay, notesThatAPushCarriedWhatNothingHolds) {
+  const auto notesOf = [](const std::string& held) {
+    Listener listener;
+    replay(parse("{\"op\":\"fill\",\"shape\":\"ellipsoid\",\"radii\":[10,10,10]}\n" + held +
+                 "{\"op\":\"tool\",\"radii\":[4,4,4]}\n{\"op\":\"action\",\"name\":\"push\"}\n" +
+                 R"({"op":"stroke","points":[[16,0,0],[10,0,0]]})"),
+           {}, {}, listener);
+    return listener.notes;
+  };
+  const std::vector<std::string> free = notesOf("");
+  ASSERT_EQ(free.size(), 1u);
+  EXPECT_NE(free[0].find("nothing holds"), std::string::npos);
+  EXPECT_TRUE(notesOf(R"({"op":"hold","box":{"min":[-12,-12,-12],"max":[-4,12,12]}})"
+                      "\n")
+                  .empty());
+}
+
 }  // namespace
 }  // namespace bozzetto
