@@ -37,9 +37,10 @@ BOZZETTO_KERNEL RowOfNine rowOfNine(const Arrays& at, std::ptrdiff_t first, int 
           static_cast<float>((2 - i * i) * (2 - j * j))};
 }
 
-// Not closed.
+// Cells that a tool takes just half of are open here: closed, those along a plate at half a cell
+// would keep their teeth.
 BOZZETTO_KERNEL int isOpenCell(float cover, std::uint8_t hold) {
-  return (hold < kFixed) & (cover < kClosedCover);
+  return (hold < kFixed) & (cover <= kClosedCover);
 }
 
 // How full a cell is of what it has room for; full where there is none.
@@ -145,7 +146,7 @@ Arrays arraysOf(Region& region) {
 void Fairing::list(Region& region, const MovedCells& moved) {
   cells_.clear();
   const auto add = [&](std::size_t cell) {
-    if (region.mark2[cell] == kListed || isClosed(region, cell)) return;
+    if (region.mark2[cell] == kListed || !isOpenCell(region.cover[cell], region.hold[cell])) return;
     region.mark2[cell] = kListed;
     cells_.push_back(static_cast<std::uint32_t>(cell));
   };

@@ -61,6 +61,29 @@ TEST(Fairing, TeethSinkAndKeepTheirMatter) {
   EXPECT_LT(most - least, 0.5);
 }
 
+// Along a plate that takes just half of the cells beside it, they are not closed: teeth sink there.
+TEST(Fairing, TeethAlongAPlateAtHalfACellSinkToo) {
+  Slab slab;
+  for (int i = 9; i < 40; ++i)
+    for (int j = 9; j < 40; ++j) {
+      for (int k = 9; k < 40; ++k) slab.region.cover[slab.region.index({i, j, k})] = k < 24 ? 1 : 0;
+      slab.region.cover[slab.region.index({i, j, 24})] = 0.5f;
+      for (int k = 9; k < 24; ++k) slab.at({i, j, k}) = 0;
+      slab.at({i, j, 24}) = (j < 17 || (j < 19 && i / 2 % 2 == 0)) ? 0.5f : 0.0f;
+    }
+  const double before = slab.mass();
+  slab.fair(60);
+  EXPECT_EQ(slab.mass(), before);
+  float least = 100, most = 0;
+  for (int i = 16; i < 32; ++i) {
+    float height = 0;
+    for (int j = 9; j < 30; ++j) height += 2 * slab.at({i, j, 24});
+    least = std::min(least, height);
+    most = std::max(most, height);
+  }
+  EXPECT_LT(most - least, 0.5);
+}
+
 // The papers know nothing of it, nor do cells that no matter came to.
 TEST(Fairing, PapersAndStillClayAreLeftAlone) {
   for (const bool paper : {true, false}) {
