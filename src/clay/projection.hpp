@@ -9,8 +9,8 @@ namespace bozzetto::clay {
 
 /// From the last step's pressure: cycles of sweeps and corrections on coarser cells.
 struct SolverOptions {
-  int cycles = 2;
-  int before = 1, after = 2;  ///< red-black sweeps; the last without over-relaxation
+  int cycles = 1;
+  int before = 3, after = 3;  ///< red-black sweeps; the last without over-relaxation
 };
 
 class Projection {
