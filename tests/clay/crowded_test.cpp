@@ -44,6 +44,29 @@ TEST(Crowded, SlowDensitiesAreBoundedWhereNothingGivesWay) {
   }
 }
 
+// What the displacement alone crams comes out again as soon as a layer conserves volumes.
+TEST(Crowded, SlowCrammedClayComesOutWhenItIsRelaxed) {
+  Clay clay;
+  addSolid(clay, Shape::box, {0, 0, 0}, {20, 10, 20});
+  holdBox(clay, {-24, -12, -24}, {24, -8, 24});
+  const Measures before = measure(clay);
+  Push push{toolOf(Shape::ellipsoid, {6, 6, 6}), Role::push, {}, {}};
+  push.setup.settings.stiffness = 0.3;
+  push.setup.settings.layers = {LayerKind::displacement};
+  push.stroke.points = {{{0, 18, 0}, 1}, {{0, 8, 0}, 1}};
+  run(clay, push);
+  EXPECT_LT(measure(clay).volume, 0.95 * before.volume);
+  clay::Setup setup;
+  Edit<CornerBlock<8>> edit(clay.tree);
+  relax(edit, clay.scale, setup, 40);
+  edit.commit();
+  const Measures after = measure(clay);
+  EXPECT_NEAR(after.mass / before.mass, 1, 1e-6);
+  EXPECT_NEAR(after.volume / before.volume, 1, 0.01);
+  EXPECT_LT(after.densest, 1.05);
+  EXPECT_EQ(after.pieces, 1);
+}
+
 // A ball on a table, pressed from above: tables of two cells, thinner ones and thick ones are met
 // alike.
 TEST(Crowded, SlowNothingGoesThroughATable) {

@@ -27,6 +27,17 @@ struct Slab {
     for (std::size_t cell = 0; cell < 48 * 48 * 48; ++cell) sum += region.value[cell];
     return sum;
   }
+  /// Of the columns along a line, between its ends: the highest less the lowest.
+  float unevenness(int k) {
+    float least = 100, most = 0;
+    for (int i = 16; i < 32; ++i) {
+      float height = 0;
+      for (int j = 9; j < 30; ++j) height += at({i, j, k});
+      least = std::min(least, height);
+      most = std::max(most, height);
+    }
+    return most - least;
+  }
   void fair(int passes) {
     Work work{region, none, none, {}, settings, 0.5f, 0, report};
     Fairing().run(work, moved, passes);
@@ -51,14 +62,7 @@ TEST(Fairing, TeethSinkAndKeepTheirMatter) {
   const double before = slab.mass();
   slab.fair(60);
   EXPECT_EQ(slab.mass(), before);
-  float least = 100, most = 0;
-  for (int i = 16; i < 32; ++i) {
-    float height = 0;
-    for (int j = 9; j < 30; ++j) height += slab.at({i, j, 24});
-    least = std::min(least, height);
-    most = std::max(most, height);
-  }
-  EXPECT_LT(most - least, 0.5);
+  EXPECT_LT(slab.unevenness(24), 0.5);
 }
 
 // Along a plate that takes just half of the cells beside it, they are not closed: teeth sink there.
@@ -74,14 +78,7 @@ TEST(Fairing, TeethAlongAPlateAtHalfACellSinkToo) {
   const double before = slab.mass();
   slab.fair(60);
   EXPECT_EQ(slab.mass(), before);
-  float least = 100, most = 0;
-  for (int i = 16; i < 32; ++i) {
-    float height = 0;
-    for (int j = 9; j < 30; ++j) height += 2 * slab.at({i, j, 24});
-    least = std::min(least, height);
-    most = std::max(most, height);
-  }
-  EXPECT_LT(most - least, 0.5);
+  EXPECT_LT(2 * slab.unevenness(24), 0.5);
 }
 
 // The papers know nothing of it, nor do cells that no matter came to.
