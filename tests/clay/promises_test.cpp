@@ -261,6 +261,18 @@ TEST(Promises, RelaxingEndsWhereNothingChanges) {
   EXPECT_THROW(relaxed(10'000'001), Error);
 }
 
+// Runs it; how many cells its steps have looked at.
+std::int64_t cellsOf(Clay& clay, const Push& push, double strength) {
+  Edit<CornerBlock<8>> edit(clay.tree);
+  ClayStroke<8> stroke(edit, clay.scale, push.tool, {push.role, strength}, push.stroke, push.setup);
+  std::int64_t cells = 0;
+  for (std::int64_t n = 0; n < stroke.stepCount(); ++n) cells += stroke.step(n).cells;
+  stroke.finish();
+  stroke.store();
+  edit.commit();
+  return cells;
+}
+
 // What the automaton loads does not depend on how much clay there is beyond its matter's way, and a
 // region that grows on the way gives what one does that had the room from the start.
 TEST(Promises, SlowTheAutomatonCostsWhatItReaches) {
@@ -271,13 +283,7 @@ TEST(Promises, SlowTheAutomatonCostsWhatItReaches) {
     push.setup.settings.layers = {LayerKind::automaton};
     push.stroke.points = {{{9, 4, 9}, 1}, {{9, 1, 9}, 1}};
     if (roomy) push.stroke.symmetry = {.mirror = {true, false, false}, .centre = {100, 0, 0}};
-    Edit<CornerBlock<8>> edit(clay.tree);
-    ClayStroke<8> stroke(edit, clay.scale, push.tool, {push.role, 0.5}, push.stroke, push.setup);
-    cells = 0;
-    for (std::int64_t n = 0; n < stroke.stepCount(); ++n) cells += stroke.step(n).cells;
-    stroke.finish();
-    stroke.store();
-    edit.commit();
+    cells = cellsOf(clay, push, 0.5);
     return clay;
   };
   std::int64_t small, huge, roomy;
@@ -300,13 +306,7 @@ TEST(Promises, SlowAPullOfTheAutomatonCostsWhatItReaches) {
     push.role = Role::grip;
     push.setup.settings.layers = {LayerKind::automaton};
     push.stroke.points = {{{14, -1, 14}, 1}, {{14, 4, 14}, 1}};
-    Edit<CornerBlock<8>> edit(clay.tree);
-    ClayStroke<8> stroke(edit, clay.scale, push.tool, {push.role, 1}, push.stroke, push.setup);
-    cells = 0;
-    for (std::int64_t n = 0; n < stroke.stepCount(); ++n) cells += stroke.step(n).cells;
-    stroke.finish();
-    stroke.store();
-    edit.commit();
+    cells = cellsOf(clay, push, 1);
     return clay;
   };
   std::int64_t small, huge;

@@ -1,7 +1,6 @@
 // Tools that are sculptures: what they reproduce, keep symmetric and cost.
 #include <chrono>
 
-#include "bozzetto/base/simd.hpp"
 #include "bozzetto/field/sampler.hpp"
 #include "bozzetto/tool/combine.hpp"
 #include "bozzetto/tool/sculpture.hpp"
@@ -132,11 +131,7 @@ TEST(Freeform, sidesAndInstructionSetsAgreeToTheBit) {
     EXPECT_EQ(validate(field), std::nullopt);
     return fieldHash(field);
   };
-  const auto eight = session.template operator()<8>();
-  EXPECT_EQ(session.template operator()<1>(), eight);
-  forbidSimd(true);
-  EXPECT_EQ(session.template operator()<8>(), eight);
-  forbidSimd(false);
+  expectSameBits(session);
 }
 
 // Tools with an inside and an outside that nobody reads, straight, scaled and turned.
@@ -157,11 +152,7 @@ TEST(Freeform, insidesOfLargeToolsAgreeToTheBit) {
     EXPECT_EQ(validate(field), std::nullopt);
     return fieldHash(field);
   };
-  const auto eight = session.template operator()<8>();
-  EXPECT_EQ(session.template operator()<1>(), eight);
-  forbidSimd(true);
-  EXPECT_EQ(session.template operator()<8>(), eight);
-  forbidSimd(false);
+  expectSameBits(session);
 }
 
 TEST(Freeform, symmetricToolsLeaveSymmetricClay) {

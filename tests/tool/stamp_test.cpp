@@ -1,5 +1,4 @@
 // The stamp: its curve, where it raises clay, what it weighs, and that undo takes it back.
-#include "bozzetto/base/simd.hpp"
 #include "bozzetto/tool/sculpture.hpp"
 #include "tool/lowpass.hpp"
 #include "tool/tool_fixture.hpp"
@@ -303,11 +302,7 @@ TEST(Stamp, sidesAndInstructionSetsAgreeToTheBit) {
     EXPECT_EQ(validate(field), std::nullopt);
     return fieldHash(field);
   };
-  const auto eight = session.template operator()<8>();
-  EXPECT_EQ(session.template operator()<1>(), eight);
-  forbidSimd(true);
-  EXPECT_EQ(session.template operator()<8>(), eight);
-  forbidSimd(false);
+  expectSameBits(session);
 }
 
 }  // namespace

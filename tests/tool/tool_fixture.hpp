@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 
+#include "bozzetto/base/simd.hpp"
 #include "bozzetto/tool/fill.hpp"
 #include "bozzetto/tool/stroke.hpp"
 
@@ -109,6 +110,17 @@ Samples samplesOf(const Field<Side>& field) {
 inline double wyvill(double u) {
   if (u >= 1) return 0;
   return 1 - 4.0 / 9 * std::pow(u, 6) + 17.0 / 9 * std::pow(u, 4) - 22.0 / 9 * u * u;
+}
+
+/// A session, a template over the block side that returns its field's hash, gives the same with
+/// blocks of one corner and of 8³, with and without vectors.
+template <class Session>
+void expectSameBits(const Session& session) {
+  const auto eight = session.template operator()<8>();
+  EXPECT_EQ(session.template operator()<1>(), eight);
+  forbidSimd(true);
+  EXPECT_EQ(session.template operator()<8>(), eight);
+  forbidSimd(false);
 }
 
 }  // namespace bozzetto::testing
